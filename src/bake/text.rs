@@ -1,0 +1,358 @@
+//! The result's text: the template's, with the fragments' own text and the baked values in their places.
+
+use std::fmt::Write;
+
+use serde::Serialize;
+
+use super::interface::{Interface, suffixes};
+use super::literal::{in_code, literal, scalars, uniform_type};
+use super::map::{Segment, SourceMap};
+use super::plan::Storage;
+use crate::compose::{Composition, Hoisted, OpenSlot, Parameter, Piece, UNIFORM};
+use crate::diagnostic::Error;
+use crate::preset::Knob;
+use crate::source::{FileId, Span, Templates};
+use crate::syntax::{DeclarationKind, OptionValue, Type};
+use crate::template;
+
+/// Around the number of a piece in the rendered template. Both are private-use characters: what comes into the template
+/// from outside is freed of them.
+const MARKS: (char, char) = ('\u{e0f0}', '\u{e0f1}');
+
+/// What stands at a mark.
+enum Insert<'a> {
+    Part(&'a crate::compose::Part),
+    Line { text: String, file: FileId, from: Span },
+}
+
+#[derive(Serialize)]
+struct Context {
+    name: String,
+    about: String,
+    version: &'static str,
+    licences: Vec<Licence>,
+    directives: Vec<String>,
+    options: Vec<OptionLine>,
+    groups: Vec<Group>,
+    uniform: Option<UniformBlock>,
+    slots: Vec<Item>,
+    modules: Vec<Item>,
+}
+
+#[derive(Serialize)]
+struct Licence {
+    licence: String,
+    modules: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct OptionLine {
+    name: String,
+    value: String,
+}
+
+#[derive(Serialize)]
+struct Group {
+    name: String,
+    items: Vec<Item>,
+}
+
+#[derive(Serialize)]
+struct UniformBlock {
+    group: u32,
+    binding: u32,
+    name: &'static str,
+    ty: &'static str,
+    fields: Vec<Item>,
+}
+
+/// A declaration or a module, with what a template may want to say about it.
+#[derive(Serialize, Default)]
+struct Item {
+    name: String,
+    doc: Vec<String>,
+    unit: String,
+    range: String,
+    value: String,
+    /// Marks: one a line.
+    lines: Vec<String>,
+}
+
+pub(super) fn assemble(
+    composition: &Composition,
+    storage: &[Storage],
+    used: &[usize],
+    interface: &Interface,
+    templates: &Templates,
+) -> Result<(String, SourceMap), Error> {
+    let mut inserts = Vec::new();
+    let context = context(composition, storage, used, interface, &mut inserts);
+    let rendered = template::render(templates, "wgsl.jinja", context)?;
+    let size: usize = inserts.iter().map(size).sum();
+    let mut writer = Writer {
+        composition,
+        storage,
+        text: String::with_capacity(rendered.len() + size),
+        map: SourceMap::default(),
+    };
+    let mut rest = rendered.as_str();
+    while let Some(at) = rest.find(MARKS.0) {
+        writer.text.push_str(&rest[..at]);
+        rest = &rest[at + MARKS.0.len_utf8()..];
+        let Some((number, after)) = rest.split_once(MARKS.1) else { break };
+        match number.parse::<usize>().ok().and_then(|index| inserts.get(index)) {
+            Some(Insert::Part(part)) => writer.part(part),
+            Some(Insert::Line { text, file, from }) => writer.made(text, *file, *from, None),
+            None => {}
+        }
+        rest = after;
+    }
+    writer.text.push_str(rest);
+    Ok((writer.text, writer.map))
+}
+
+fn size(insert: &Insert<'_>) -> usize {
+    match insert {
+        Insert::Line { text, .. } => text.len(),
+        Insert::Part(part) => part
+            .pieces
+            .iter()
+            .map(|piece| match piece {
+                Piece::Copy(span) => span.len(),
+                Piece::Word(word, _) => word.len(),
+                Piece::Read(..) => 32,
+            })
+            .sum(),
+    }
+}
+
+struct Writer<'a> {
+    composition: &'a Composition,
+    storage: &'a [Storage],
+    text: String,
+    map: SourceMap,
+}
+
+impl Writer<'_> {
+    fn part(&mut self, part: &crate::compose::Part) {
+        let (file, instance) = (part.file, Some(part.instance as u32));
+        let source = self.composition.files.get(file).text.clone();
+        for piece in &part.pieces {
+            match piece {
+                Piece::Copy(span) => {
+                    let start = self.text.len();
+                    self.text.push_str(&source[span.range()]);
+                    let out = Span::new(start, self.text.len());
+                    self.map.push(Segment { out, file, from: *span, copied: true, instance });
+                }
+                Piece::Word(word, span) => self.made(word, file, *span, instance),
+                Piece::Read(knob, span) => {
+                    let text = self.read(*knob);
+                    self.made(&text, file, *span, instance);
+                }
+            }
+        }
+    }
+
+    /// Text that stands for `from`.
+    fn made(&mut self, text: &str, file: FileId, from: Span, instance: Option<u32>) {
+        let start = self.text.len();
+        self.text.push_str(text);
+        let out = Span::new(start, self.text.len());
+        self.map.push(Segment { out, file, from, copied: false, instance });
+    }
+
+    /// How the code reads a parameter or an option.
+    fn read(&self, knob: Knob) -> String {
+        let index = match knob {
+            Knob::Option(index) => return self.composition.options[index].decl.key.flat(),
+            Knob::Parameter(index) => index,
+        };
+        let decl = &self.composition.parameters[index].decl;
+        let flat = decl.key.flat();
+        match (self.storage[index], decl.ty) {
+            (Storage::Uniform, Type::Bool) => format!("({}.{flat} != 0u)", UNIFORM.0),
+            (Storage::Uniform, _) => format!("{}.{flat}", UNIFORM.0),
+            (Storage::Override, ty) if ty.components() > 1 => {
+                let parts: Vec<_> = suffixes(ty).iter().map(|suffix| format!("{flat}{suffix}")).collect();
+                format!("{ty}({})", parts.join(", "))
+            }
+            _ => flat,
+        }
+    }
+}
+
+fn context<'a>(
+    composition: &'a Composition,
+    storage: &[Storage],
+    used: &[usize],
+    interface: &Interface,
+    inserts: &mut Vec<Insert<'a>>,
+) -> Context {
+    let mut groups: Vec<Group> = Vec::new();
+    let mut fields = Vec::new();
+    for index in used {
+        let parameter = &composition.parameters[*index];
+        let item = parameter_item(parameter, storage[*index], inserts);
+        if storage[*index] == Storage::Uniform {
+            fields.push(item);
+        } else {
+            group(&mut groups, &parameter.decl.key.group).items.push(item);
+        }
+    }
+    let read = composition.options.iter().filter(|option| option.read);
+    for option in read {
+        let key = &option.decl.key;
+        let value = option.decl.show(option.value);
+        let ty = if matches!(option.value, OptionValue::Bool(_)) { "bool" } else { "i32" };
+        let text = format!("const {}: {ty} = {value};", key.flat());
+        let item = Item {
+            name: key.to_string(),
+            doc: lines(&option.decl.doc),
+            value,
+            lines: vec![mark(inserts, Insert::Line { text, file: option.at.0, from: option.at.1 })],
+            ..Item::default()
+        };
+        group(&mut groups, &key.group).items.push(item);
+    }
+    let uniform = interface.uniform.as_ref().map(|uniform| UniformBlock {
+        group: uniform.group,
+        binding: uniform.binding,
+        name: UNIFORM.0,
+        ty: UNIFORM.1,
+        fields,
+    });
+    let modules = composition.parts.iter().map(|part| Item {
+        name: clean(&part.name),
+        lines: vec![mark(inserts, Insert::Part(part))],
+        ..Item::default()
+    });
+    let modules = modules.collect();
+    Context {
+        name: clean(&composition.name),
+        about: clean(&composition.about),
+        version: env!("CARGO_PKG_VERSION"),
+        licences: licences(composition),
+        directives: composition
+            .hoisted
+            .iter()
+            .map(|directive| {
+                let from = directive.span;
+                let file = composition.parts.iter().find(|part| part.instance == directive.instance);
+                let file = file.or(composition.parts.first()).map(|part| part.file);
+                let text = directive_text(directive);
+                match file {
+                    Some(file) => mark(inserts, Insert::Line { text, file, from }),
+                    None => text,
+                }
+            })
+            .collect(),
+        options: composition
+            .options
+            .iter()
+            .map(|option| OptionLine {
+                name: option.decl.key.to_string(),
+                value: option.decl.show(option.value),
+            })
+            .collect(),
+        groups,
+        uniform,
+        slots: composition.slots.iter().map(|slot| slot_item(slot, inserts)).collect(),
+        modules,
+    }
+}
+
+fn group<'a>(groups: &'a mut Vec<Group>, name: &str) -> &'a mut Group {
+    let at = groups.iter().position(|group| group.name == name).unwrap_or_else(|| {
+        groups.push(Group { name: name.to_owned(), items: Vec::new() });
+        groups.len() - 1
+    });
+    &mut groups[at]
+}
+
+fn parameter_item(parameter: &Parameter, storage: Storage, inserts: &mut Vec<Insert<'_>>) -> Item {
+    let decl = &parameter.decl;
+    let (flat, ty) = (decl.key.flat(), decl.ty);
+    let value = in_code(&parameter.value, decl.unit.as_deref());
+    let texts = match storage {
+        Storage::Const => vec![format!("const {flat}: {ty} = {};", literal(&value))],
+        Storage::Variable => vec![format!("var<private> {flat}: {ty} = {};", literal(&value))],
+        Storage::Uniform => vec![format!("{flat}: {},", uniform_type(ty))],
+        Storage::Override => {
+            let parts = scalars(&value);
+            let parts = suffixes(ty).iter().zip(&parts);
+            parts
+                .map(|(suffix, scalar)| {
+                    format!("override {flat}{suffix}: {} = {};", ty.scalar(), literal(scalar))
+                })
+                .collect()
+        }
+    };
+    let line = |text| mark(inserts, Insert::Line { text, file: parameter.at.0, from: parameter.at.1 });
+    let unit = decl.unit.clone().unwrap_or_default();
+    Item {
+        name: decl.key.to_string(),
+        doc: lines(&decl.doc),
+        range: decl.range.map_or(String::new(), |(low, high)| format!("{low} .. {high}")),
+        value: literal(&parameter.value),
+        lines: texts.into_iter().map(line).collect(),
+        unit: clean(&unit),
+    }
+}
+
+fn slot_item(open: &OpenSlot, inserts: &mut Vec<Insert<'_>>) -> Item {
+    let signature = &open.slot.signature;
+    let takes: Vec<_> = signature.takes.iter().zip('a'..).map(|(ty, name)| format!("{name}: {ty}")).collect();
+    let gives = signature.gives.as_ref();
+    let head = format!("fn {}({})", open.slot.name.value, takes.join(", "));
+    let text = match gives {
+        Some(ty) => format!("{head} -> {ty} {{ return {ty}(); }}"),
+        None => format!("{head} {{}}"),
+    };
+    Item {
+        name: clean(&open.slot.name.value),
+        doc: lines(&open.slot.doc),
+        lines: vec![mark(inserts, Insert::Line { text, file: open.at.0, from: open.at.1 })],
+        ..Item::default()
+    }
+}
+
+fn directive_text(directive: &Hoisted) -> String {
+    let keyword = match directive.kind {
+        DeclarationKind::Enable => "enable ",
+        DeclarationKind::Requires => "requires ",
+        _ => "diagnostic",
+    };
+    format!("{keyword}{};", directive.body)
+}
+
+fn licences(composition: &Composition) -> Vec<Licence> {
+    let mut all: Vec<Licence> = Vec::new();
+    for part in &composition.parts {
+        let licence = clean(part.licence.as_deref().unwrap_or("not stated"));
+        match all.iter_mut().find(|known| known.licence == licence) {
+            Some(known) => known.modules.push(clean(&part.name)),
+            None => all.push(Licence { licence, modules: vec![clean(&part.name)] }),
+        }
+    }
+    all
+}
+
+fn mark<'a>(inserts: &mut Vec<Insert<'a>>, insert: Insert<'a>) -> String {
+    inserts.push(insert);
+    let mut mark = String::new();
+    let _ = write!(mark, "{}{}{}", MARKS.0, inserts.len() - 1, MARKS.1); // writing to a String cannot fail
+    mark
+}
+
+/// Text from outside on one line, without marks: it ends up in comments of the result.
+fn clean(text: &str) -> String {
+    text.chars()
+        .filter(|c| *c != MARKS.0 && *c != MARKS.1)
+        .map(|c| if crate::syntax::is_line_break(c) || c.is_control() { ' ' } else { c })
+        .collect()
+}
+
+fn lines(doc: &str) -> Vec<String> {
+    doc.lines().map(clean).collect()
+}

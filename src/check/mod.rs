@@ -1,0 +1,119 @@
+//! Proof: [`Baked`] → naga's typed module, or diagnostics in the authors' own files.
+
+mod guard;
+mod report;
+
+pub(crate) use guard::guarded;
+pub use guard::{GUARDED, Panicked};
+
+use naga::front::wgsl;
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+
+use crate::bake::{Baked, Binding, EntryPoint, Interface};
+use crate::diagnostic::{Diagnostic, Error};
+
+/// A shader that naga has parsed and validated.
+pub struct Checked {
+    /// The text, its map and its composition.
+    pub baked: Baked,
+    /// The interface, entry points and bindings included.
+    pub interface: Interface,
+    /// naga's module.
+    pub module: naga::Module,
+    /// What validation found out about it.
+    pub info: ModuleInfo,
+}
+
+/// What WebGPU offers without any optional feature.
+pub fn capabilities() -> Capabilities {
+    Capabilities::default()
+}
+
+/// Parses and validates with WebGPU's default capabilities.
+///
+/// # Errors
+/// What naga says, told at the author's place.
+pub fn check(baked: Baked) -> Result<Checked, Error> {
+    let text = baked.text.clone();
+    let outcome = guarded(move || {
+        let options = wgsl::Options { parse_doc_comments: false, capabilities: capabilities() };
+        let module = wgsl::Frontend::new_with_options(options).parse(&text).map_err(Fault::Parse)?;
+        let info = Validator::new(ValidationFlags::all(), capabilities())
+            .validate(&module)
+            .map_err(|error| Fault::Invalid(Box::new(error)))?;
+        Ok((module, info))
+    });
+    match outcome {
+        Ok(Ok((module, info))) => {
+            let interface = complete(baked.interface.clone(), &module);
+            Ok(Checked { baked, interface, module, info })
+        }
+        Ok(Err(fault)) => {
+            let diagnostic = match &fault {
+                Fault::Parse(error) => report::parse_error(&baked, error),
+                Fault::Invalid(error) => report::validation_error(&baked, error),
+            };
+            Err(Error::new(vec![diagnostic], baked.composition.files.clone()))
+        }
+        Err(Panicked(why)) => {
+            let diagnostic = Diagnostic::error("OR0703", format!("naga panicked while checking: {why}"))
+                .help(Some(
+                    "this is a fault of naga; a smaller shader that shows it is worth a report there".into(),
+                ));
+            Err(Error::bare(diagnostic))
+        }
+    }
+}
+
+enum Fault {
+    Parse(wgsl::ParseError),
+    Invalid(Box<naga::WithSpan<naga::valid::ValidationError>>),
+}
+
+/// Entry points and bindings, from naga's module.
+fn complete(mut interface: Interface, module: &naga::Module) -> Interface {
+    interface.entry_points = module
+        .entry_points
+        .iter()
+        .map(|entry| EntryPoint {
+            name: entry.name.clone(),
+            stage: stage_name(entry.stage),
+            workgroup_size: (entry.stage == naga::ShaderStage::Compute).then_some(entry.workgroup_size),
+        })
+        .collect();
+    let bound = module.global_variables.iter().filter_map(|(_, variable)| {
+        let place = variable.binding.as_ref()?;
+        Some(Binding {
+            group: place.group,
+            binding: place.binding,
+            name: variable.name.clone().unwrap_or_default(),
+            kind: kind(module, variable).to_owned(),
+        })
+    });
+    interface.bindings = bound.collect();
+    interface
+}
+
+/// As WGSL names the stage.
+pub(crate) fn stage_name(stage: naga::ShaderStage) -> &'static str {
+    match stage {
+        naga::ShaderStage::Vertex => "vertex",
+        naga::ShaderStage::Fragment => "fragment",
+        naga::ShaderStage::Compute => "compute",
+        _ => "other",
+    }
+}
+
+fn kind(module: &naga::Module, variable: &naga::GlobalVariable) -> &'static str {
+    match (&variable.space, &module.types[variable.ty].inner) {
+        (naga::AddressSpace::Uniform, _) => "uniform",
+        (naga::AddressSpace::Storage { access }, _) if access.contains(naga::StorageAccess::STORE) => {
+            "storage"
+        }
+        (naga::AddressSpace::Storage { .. }, _) => "read-only-storage",
+        (_, naga::TypeInner::Sampler { .. }) => "sampler",
+        (_, naga::TypeInner::Image { class: naga::ImageClass::Storage { .. }, .. }) => "storage-texture",
+        (_, naga::TypeInner::Image { .. }) => "texture",
+        _ => "other",
+    }
+}

@@ -1,0 +1,193 @@
+//! What is left of a fragment in the result: pieces of its own text, and words that stand in for names.
+
+use std::sync::Arc;
+
+use super::error::ComposeError;
+use super::names::{Active, Meaning, Names, UNIFORM};
+use super::shake::Kept;
+use crate::preset::Knob;
+use crate::source::Span;
+use crate::syntax::{Declaration, DeclarationKind};
+
+/// A piece of the result. Spans are of the fragment's file.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Piece {
+    /// The author's own text.
+    Copy(Span),
+    /// A name that is spelled otherwise here.
+    Word(Arc<str>, Span),
+    /// A parameter or an option is read.
+    Read(Knob, Span),
+}
+
+/// What stands at the top of a WGSL module, once: `enable`, `requires`, `diagnostic`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Hoisted {
+    /// The instance that it is from.
+    pub instance: usize,
+    /// Where it stands.
+    pub span: Span,
+    /// Its keyword.
+    pub kind: DeclarationKind,
+    /// What stands between keyword and semicolon.
+    pub body: String,
+}
+
+/// The pieces of one instance; empty where nothing of it is in.
+pub(super) fn pieces(
+    names: &Names<'_>,
+    kept: &Kept,
+    active: &Active<'_>,
+    keep_all: bool,
+    hoist: bool,
+    errors: &mut Vec<ComposeError>,
+) -> Vec<Piece> {
+    let module = active.module;
+    let in_file = &kept.declarations[active.instance];
+    let mut pieces = Vec::new();
+    let is_kept = |index: usize| {
+        let directive = is_directive(module.declarations[index].kind);
+        if directive { !hoist } else { in_file[index] }
+    };
+    let any = (0..module.declarations.len()).any(|index| in_file[index]);
+    if !any && !(keep_all && module.declarations.is_empty()) {
+        return pieces;
+    }
+    copy(&mut pieces, &module.pieces[module.head.clone()]);
+    let mut hides = vec![None; module.symbols()];
+    let mut last_kept = true;
+    for (index, declaration) in module.declarations.iter().enumerate() {
+        last_kept = is_kept(index);
+        if last_kept {
+            check_locals(names, kept, active, declaration, &mut hides, errors);
+            declare(names, kept, active, declaration, &mut pieces);
+        }
+    }
+    if last_kept {
+        copy(&mut pieces, &module.pieces[module.tail.clone()]);
+    }
+    pieces
+}
+
+pub(super) fn is_directive(kind: DeclarationKind) -> bool {
+    matches!(kind, DeclarationKind::Enable | DeclarationKind::Requires | DeclarationKind::Diagnostic)
+}
+
+fn copy(pieces: &mut Vec<Piece>, spans: &[Span]) {
+    for span in spans {
+        push(pieces, *span);
+    }
+}
+
+fn push(pieces: &mut Vec<Piece>, span: Span) {
+    if span.is_empty() {
+        return;
+    }
+    if let Some(Piece::Copy(last)) = pieces.last_mut()
+        && last.end == span.start
+    {
+        last.end = span.end;
+    } else {
+        pieces.push(Piece::Copy(span));
+    }
+}
+
+fn declare(
+    names: &Names<'_>,
+    kept: &Kept,
+    active: &Active<'_>,
+    declaration: &Declaration,
+    pieces: &mut Vec<Piece>,
+) {
+    let module = active.module;
+    let references = &module.references[declaration.references.clone()];
+    let meanings = &kept.meanings[active.instance];
+    let mut changes =
+        references.iter().filter_map(|reference| match meanings[reference.symbol as usize].as_ref()? {
+            Meaning::Renamed(_, name) => Some(Piece::Word(name.clone(), reference.span)),
+            Meaning::Knob(knob) => Some(Piece::Read(*knob, reference.span)),
+            Meaning::Group => {
+                let knob = names.member(active.instance, reference).ok()?;
+                let end = reference.member.map_or(reference.span, |(_, span)| span);
+                Some(Piece::Read(knob, reference.span.to(end)))
+            }
+            Meaning::Foreign | Meaning::Global(_) | Meaning::OpenSlot => None,
+        });
+    let mut change = changes.next();
+    for span in &module.pieces[declaration.pieces.clone()] {
+        let mut start = span.start;
+        while let Some(piece) = &change {
+            let (Piece::Word(_, at) | Piece::Read(_, at) | Piece::Copy(at)) = piece;
+            if at.end > span.end {
+                break;
+            }
+            push(pieces, Span { start, end: at.start });
+            start = at.end;
+            pieces.push(piece.clone());
+            change = changes.next();
+        }
+        push(pieces, Span { start, end: span.end });
+    }
+}
+
+/// A local variable may hide neither a group of parameters, nor a name that takes another spelling in the result.
+fn check_locals(
+    names: &Names<'_>,
+    kept: &Kept,
+    active: &Active<'_>,
+    declaration: &Declaration,
+    hides: &mut [Option<bool>],
+    errors: &mut Vec<ComposeError>,
+) {
+    let locals = &active.module.locals[declaration.locals.clone()];
+    let file = names.graph.file(active.instance);
+    for (symbol, span) in locals {
+        let name = active.module.name(active.text, *symbol);
+        let hidden = hides[*symbol as usize].get_or_insert_with(|| {
+            let renamed = &names.graph.instances[active.instance].renamed;
+            names.declarations.has_group(name) || renamed.as_ref().is_some_and(|(from, _)| from == name)
+        });
+        if *hidden {
+            let what = format!("the group `{name}` of parameters");
+            errors.push(ComposeError::Hidden { name: name.into(), what, at: (file, *span) });
+        }
+    }
+    if locals.is_empty() {
+        return;
+    }
+    for reference in &active.module.references[declaration.references.clone()] {
+        let spelled: String = match kept.meanings[active.instance][reference.symbol as usize].as_ref() {
+            Some(Meaning::Renamed(_, name)) => name.to_string(),
+            Some(Meaning::Knob(knob)) => names.flat(*knob),
+            Some(Meaning::Group) => match names.member(active.instance, reference) {
+                Ok(knob) => names.flat(knob),
+                Err(_) => continue,
+            },
+            _ => continue,
+        };
+        // However the parameter is baked: `group_name`, a component of it, or a field of the uniform buffer.
+        let is_read =
+            !matches!(kept.meanings[active.instance][reference.symbol as usize], Some(Meaning::Renamed(..)));
+        let taken = |local: &str| {
+            local == spelled
+                || is_read
+                    && (local == UNIFORM.0
+                        || local.strip_suffix(['x', 'y', 'z', 'w']).and_then(|stem| stem.strip_suffix('_'))
+                            == Some(&spelled))
+        };
+        let hiding = locals.iter().find(|(symbol, _)| taken(active.module.name(active.text, *symbol)));
+        if let Some((symbol, span)) = hiding {
+            let name = active.module.name(active.text, *symbol).to_owned();
+            let source =
+                names.active[active.instance].as_ref().map_or("", |a| &a.text[reference.span.range()]);
+            let what = match reference.member {
+                Some((_, member)) if is_read => {
+                    format!("the parameter `{}`", &active.text[reference.span.to(member).range()])
+                }
+                _ => format!("`{source}`, which is called `{spelled}` in the result"),
+            };
+            errors.push(ComposeError::Hidden { name, what, at: (file, *span) });
+            return;
+        }
+    }
+}

@@ -1,0 +1,379 @@
+//! Fragments + preset → [`Composition`]: which text is in, in which order, with which names, and where each piece is from.
+//!
+//! In steps: the graph of all includes (`graph`); all parameters and options held against the preset; conditions decided
+//! (`decide`); names resolved and slots filled (`names`); declarations shaken (`shake`); pieces collected (`emit`). The
+//! values themselves are put in by the next stage, `bake`. Nothing here knows naga.
+
+mod cache;
+mod decide;
+mod emit;
+mod error;
+mod graph;
+mod names;
+mod shake;
+
+pub use cache::Cache;
+pub use emit::{Hoisted, Piece};
+pub use error::{At, ComposeError};
+pub use names::UNIFORM;
+
+use std::sync::Arc;
+
+use crate::diagnostic::{Diagnostic, Error};
+use crate::preset::{self, Declarations, Preset, Scene, Settings};
+use crate::source::{self, FileId, Files, Library, Source, SourceError};
+use crate::syntax::{
+    DeclarationKind, DirectiveKind, Module, OptionDecl, OptionValue, ParamDecl, Slot, Value,
+};
+use decide::{Known, decide};
+use graph::Graph;
+use names::{Active, Names};
+
+/// A parameter of a composition.
+#[derive(Debug, Clone)]
+pub struct Parameter {
+    /// Its declaration; in an instance, with the instance's group.
+    pub decl: ParamDecl,
+    /// Its value, in the declared unit.
+    pub value: Value,
+    /// Whether the code that is in reads it.
+    pub read: bool,
+    /// Where it is declared.
+    pub at: At,
+}
+
+/// An option of a composition.
+#[derive(Debug, Clone)]
+pub struct Choice {
+    /// Its declaration; in an instance, with the instance's group.
+    pub decl: OptionDecl,
+    /// Its value.
+    pub value: OptionValue,
+    /// Whether the code that is in reads it.
+    pub read: bool,
+    /// Where it is declared.
+    pub at: At,
+}
+
+/// What is in of one instance.
+#[derive(Debug, Clone)]
+pub struct Part {
+    /// The fragment's name, with its instance's.
+    pub name: String,
+    /// The fragment.
+    pub file: FileId,
+    /// Which instance, for [`Composition::chain`].
+    pub instance: usize,
+    /// Its licence as the file states it (SPDX), if it does.
+    pub licence: Option<String>,
+    /// Its text, in order.
+    pub pieces: Vec<Piece>,
+}
+
+/// A slot of a generic fragment on its own, which nothing fills.
+#[derive(Debug, Clone)]
+pub struct OpenSlot {
+    /// The slot.
+    pub slot: Slot,
+    /// Where it is declared.
+    pub at: At,
+}
+
+/// Everything that the result is made of.
+pub struct Composition {
+    /// The preset's name.
+    pub name: String,
+    /// The preset's line about itself.
+    pub about: String,
+    /// Every text that was read.
+    pub files: Arc<Files>,
+    /// All parameters that any branch can reach.
+    pub parameters: Vec<Parameter>,
+    /// All options that any branch can reach.
+    pub options: Vec<Choice>,
+    /// Slots that stand open.
+    pub slots: Vec<OpenSlot>,
+    /// `enable`, `requires` and `diagnostic`, merged; where the only part keeps its own, none.
+    pub hoisted: Vec<Hoisted>,
+    /// The parts, each after those that it includes.
+    pub parts: Vec<Part>,
+    graph: Graph,
+}
+
+impl Composition {
+    /// How an instance was reached, innermost include first: notes for a diagnostic.
+    pub fn chain(&self, instance: usize) -> Vec<String> {
+        self.graph.chain(instance, &self.files)
+    }
+}
+
+/// What to compose.
+pub struct Request<'a> {
+    /// Values and scene.
+    pub preset: &'a Preset,
+    /// The entry point of a scene that has `main_image` and no entry point of its own.
+    pub wrapper: Option<Source>,
+    /// Keep declarations that no entry point reaches.
+    pub keep_unused: bool,
+}
+
+/// What a scene offers to be set, and what is set: the first half of a composition.
+pub struct Survey {
+    /// The preset's name.
+    pub name: String,
+    /// Every text that was read.
+    pub files: Arc<Files>,
+    /// All parameters and options that any branch can reach.
+    pub declarations: Declarations,
+    /// The value of each.
+    pub settings: Settings,
+    graph: Graph,
+}
+
+/// Reads a scene with everything that it can reach, and holds the preset against it.
+///
+/// # Errors
+/// What is wrong with the preset, the include graph or a directive.
+pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Result<Survey, Error> {
+    let mut files = request.preset.files.clone();
+    let mut errors = Vec::new();
+    let mut graph = Graph::default();
+    let root = match root(library, request.preset) {
+        Ok(root) => root,
+        Err(error) => return Err(fail([error], files)),
+    };
+    let root = graph.add_root(root, library, cache, &mut files, &mut errors);
+    let has_entry = graph.fragment(root).has_entry_point;
+    let has_image = graph.loaded.iter().any(|loaded| loaded.fragment.has_main_image);
+    if let Some(wrapper) = &request.wrapper
+        && has_image
+        && !has_entry
+    {
+        graph.add_root(wrapper.clone(), library, cache, &mut files, &mut errors);
+    }
+    if !errors.is_empty() {
+        return Err(fail(errors, files));
+    }
+    let declarations = graph.declarations(&mut errors);
+    if !errors.is_empty() {
+        return Err(fail(errors, files));
+    }
+    let settings = match preset::settle(request.preset, &declarations) {
+        Ok(settings) => settings,
+        Err(errors) => return Err(Error::new(errors.into_iter().map(Diagnostic::from).collect(), files)),
+    };
+    let name = request.preset.name().to_owned();
+    Ok(Survey { name, files: files.into(), declarations, settings, graph })
+}
+
+/// Puts a scene together.
+///
+/// # Errors
+/// Everything that is wrong with preset and fragments but what only a WGSL compiler can tell.
+pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Result<Composition, Error> {
+    let survey = survey(library, cache, request)?;
+    let mut errors = Vec::new();
+    let graph = &survey.graph;
+    let (active, truths) = activity(&survey, &mut errors);
+    if !errors.is_empty() {
+        return Err(fail(errors, survey.files));
+    }
+    let order = graph.order(&active);
+    let mut modules: Vec<Option<Arc<Module>>> = vec![None; graph.instances.len()];
+    for instance in &order {
+        let loaded = &graph.loaded[graph.instances[*instance].loaded];
+        let module = cache.split(&loaded.source, &loaded.fragment, &truths[*instance]);
+        let faults = module.errors.iter().map(|error| ComposeError::Directive(loaded.file, error.clone()));
+        errors.extend(faults);
+        modules[*instance] = Some(module);
+    }
+    let in_names = modules.iter().enumerate().map(|(instance, module)| {
+        module.as_ref().map(|module| Active {
+            instance,
+            text: &graph.fragment(instance).text,
+            module,
+            directives: &active[instance],
+        })
+    });
+    let names = Names::new(graph, &survey.declarations, in_names.collect(), &order, &mut errors);
+    let kept = shake::shake(&names, request.keep_unused, &mut errors);
+    let parts = |hoist: bool, errors: &mut Vec<ComposeError>| {
+        let in_order = order.iter().filter_map(|instance| names.active[*instance].as_ref());
+        let parts = in_order.filter_map(|active| {
+            let pieces = emit::pieces(&names, &kept, active, request.keep_unused, hoist, errors);
+            (!pieces.is_empty()).then(|| part(graph, active, pieces))
+        });
+        parts.collect::<Vec<_>>()
+    };
+    let slots: Vec<_> = names
+        .open_slots()
+        .into_iter()
+        .map(|(instance, slot)| OpenSlot { slot: slot.clone(), at: (graph.file(instance), slot.name.span) })
+        .collect();
+    let mut result = parts(false, &mut errors);
+    // A lone file with nothing before it keeps its directives where they are.
+    let reads = kept.parameters.iter().chain(&kept.options).any(|read| *read);
+    let mut hoisted = Vec::new();
+    let mut directives = order.iter().filter_map(|i| names.active[*i].as_ref()).filter(|active| {
+        active.module.declarations.iter().any(|declaration| emit::is_directive(declaration.kind))
+    });
+    if (result.len() > 1 || reads || !slots.is_empty()) && directives.next().is_some() {
+        errors.clear(); // found again
+        result = parts(true, &mut errors);
+        hoisted = hoist(&names, &kept, &mut errors);
+    }
+    let mut all = errors;
+    if !all.is_empty() {
+        all.dedup_by_key(|error| error.to_string());
+        drop(names);
+        return Err(fail(all, survey.files));
+    }
+    let parameters = survey.declarations.parameters.iter().enumerate().map(|(index, declared)| Parameter {
+        decl: declared.decl.clone(),
+        value: survey.settings.parameters[index],
+        read: kept.parameters[index],
+        at: (declared.file, declared.span),
+    });
+    let options = survey.declarations.options.iter().enumerate().map(|(index, declared)| Choice {
+        decl: declared.decl.clone(),
+        value: survey.settings.options[index],
+        read: kept.options[index],
+        at: (declared.file, declared.span),
+    });
+    let (parameters, options) = (parameters.collect(), options.collect());
+    drop(names);
+    Ok(Composition {
+        name: survey.name,
+        about: request.preset.about().to_owned(),
+        files: survey.files,
+        parameters,
+        options,
+        slots,
+        hoisted,
+        parts: result,
+        graph: survey.graph,
+    })
+}
+
+fn fail(errors: impl IntoIterator<Item = ComposeError>, files: impl Into<Arc<Files>>) -> Error {
+    Error::new(errors.into_iter().map(Diagnostic::from).collect(), files)
+}
+
+/// The scene's own text.
+fn root(library: &Library, preset: &Preset) -> Result<Source, ComposeError> {
+    let scene = preset.scene.as_ref().ok_or(ComposeError::NoScene)?;
+    let fail = |error: SourceError, at| {
+        let nearest = graph::nearest_path(&error, library);
+        ComposeError::Scene { error, at, nearest }
+    };
+    match scene {
+        Scene::Text { name, text } => Ok(Source::text(name.as_str(), text.clone())),
+        Scene::File(path) => Source::file(path).map_err(|error| fail(error, None)),
+        Scene::Named { path, beside, file, span } => {
+            let at = Some((*file, *span));
+            if let Some(folder) = beside.as_ref().and_then(|preset| preset.parent())
+                && let Ok(inside) = source::join("", path)
+                && folder.join(&inside).is_file()
+            {
+                return Source::file_in(folder, &inside).map_err(|error| fail(error, at));
+            }
+            library.find(path).map_err(|error| fail(error, at))
+        }
+    }
+}
+
+type Activity = (Vec<Vec<bool>>, Vec<Vec<bool>>);
+
+/// By instance: which directives are in, and the truth of each condition.
+fn activity(survey: &Survey, errors: &mut Vec<ComposeError>) -> Activity {
+    let graph = &survey.graph;
+    let mut all = (Vec::new(), Vec::new());
+    for (index, instance) in graph.instances.iter().enumerate() {
+        let renamed = instance.renamed.as_ref().filter(|_| !instance.prefix.is_empty());
+        let known = Known {
+            declarations: &survey.declarations,
+            settings: &survey.settings,
+            renamed: renamed.map(|(from, to)| (from.as_str(), &**to)),
+        };
+        let fragment = graph.fragment(index);
+        let mut truth = Vec::with_capacity(fragment.conditions);
+        for placed in &fragment.directives {
+            if let DirectiveKind::If(expr) | DirectiveKind::Elif(expr) = &placed.directive.kind {
+                truth.push(decide(expr, graph.file(index), &known).unwrap_or_else(|error| {
+                    errors.push(error);
+                    false
+                }));
+            }
+        }
+        all.0.push(fragment.active(&truth));
+        all.1.push(truth);
+    }
+    all
+}
+
+fn part(graph: &Graph, active: &Active<'_>, pieces: Vec<Piece>) -> Part {
+    let instance = &graph.instances[active.instance];
+    let loaded = &graph.loaded[instance.loaded];
+    let name = if instance.prefix.is_empty() {
+        loaded.source.name.to_string()
+    } else {
+        format!("{} as {}", loaded.source.name, instance.prefix)
+    };
+    Part { name, file: loaded.file, instance: active.instance, licence: loaded.source.licence(), pieces }
+}
+
+/// `enable`, `requires` and `diagnostic` of all that is in: each once.
+fn hoist(names: &Names<'_>, kept: &shake::Kept, errors: &mut Vec<ComposeError>) -> Vec<Hoisted> {
+    let mut hoisted: Vec<Hoisted> = Vec::new();
+    for instance in names.order {
+        let Some(active) = &names.active[*instance] else { continue };
+        let is_root = names.graph.roots.contains(instance);
+        if !is_root && !kept.declarations[*instance].contains(&true) {
+            continue;
+        }
+        for declaration in active.module.declarations.iter().filter(|d| emit::is_directive(d.kind)) {
+            let text = active.text[declaration.span.range()].trim_end_matches(';');
+            let body: String = text
+                .split_once(|c: char| !c.is_ascii_alphabetic())
+                .map_or("", |(keyword, _)| &text[keyword.len()..])
+                .trim()
+                .into();
+            let new = Hoisted { instance: *instance, span: declaration.span, kind: declaration.kind, body };
+            let twin = hoisted.iter().find(|known| known.kind == new.kind && same_rule(known, &new));
+            match twin {
+                None => hoisted.push(new),
+                Some(known) if plain(&known.body) != plain(&new.body) => {
+                    let value = |body: &str| {
+                        body.trim_matches(['(', ')']).split(',').next().unwrap_or("").trim().to_owned()
+                    };
+                    let rule =
+                        plain(&new.body).split_once(',').map_or(String::new(), |(_, rule)| rule.into());
+                    errors.push(ComposeError::DiagnosticConflict {
+                        name: rule.trim_end_matches(')').into(),
+                        value: value(&new.body),
+                        first_value: value(&known.body),
+                        at: (names.graph.file(*instance), new.span),
+                        first: (names.graph.file(known.instance), known.span),
+                    });
+                }
+                Some(_) => {}
+            }
+        }
+    }
+    // WGSL wants `diagnostic`, `enable` and `requires` before all else, in any order.
+    hoisted.sort_by_key(|directive| directive.kind != DeclarationKind::Enable);
+    hoisted
+}
+
+fn plain(body: &str) -> String {
+    body.chars().filter(|c| !c.is_whitespace()).collect()
+}
+
+/// Two directives say something about the same thing.
+fn same_rule(a: &Hoisted, b: &Hoisted) -> bool {
+    let (a_body, b_body) = (plain(&a.body), plain(&b.body));
+    if a.kind != DeclarationKind::Diagnostic {
+        return a_body == b_body;
+    }
+    a_body.split_once(',').map(|(_, rule)| rule) == b_body.split_once(',').map(|(_, rule)| rule)
+}

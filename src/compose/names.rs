@@ -1,0 +1,482 @@
+//! What every name means: declarations of all active instances, slots, parameters and options.
+//!
+//! A name in an instance is looked up, in this order, as a slot of its fragment, as a declaration of the instance or of
+//! what it includes `as` something (both carry the instance's prefix), as a declaration of everybody, and as a group of
+//! parameters. What is found nowhere is WGSL's own, or naga's to complain about.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use rustc_hash::FxHashMap;
+
+use super::error::{At, ComposeError};
+use super::graph::Graph;
+use crate::diagnostic::{choices, nearest};
+use crate::preset::{Declarations, Knob};
+use crate::syntax::{
+    Declaration, DeclarationKind, DirectiveKind, Include, Module, OptionKind, Reference, Signature, Slot,
+    Symbol, signature,
+};
+
+/// The name of the uniform buffer, and of its type.
+pub const UNIFORM: (&str, &str) = ("orogen", "OrogenParams");
+
+/// A declaration: which instance, and which of its module's declarations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub(super) struct Global {
+    pub(super) instance: u32,
+    pub(super) declaration: u32,
+}
+
+/// What a name means where it stands.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Meaning {
+    /// WGSL's own, or unknown.
+    Foreign,
+    /// A declaration that is called the same in the result.
+    Global(Global),
+    /// A declaration, or WGSL's own function, that is called otherwise in the result.
+    Renamed(Option<Global>, Arc<str>),
+    /// A group of parameters: the member decides.
+    Group,
+    /// A parameter or an option without a group.
+    Knob(Knob),
+    /// A slot that nothing fills, of a generic fragment on its own: called the same in the result.
+    OpenSlot,
+}
+
+/// An instance that is in, with its declarations.
+pub(super) struct Active<'a> {
+    pub(super) instance: usize,
+    pub(super) text: &'a str,
+    pub(super) module: &'a Module,
+    /// Which of its fragment's directives are in.
+    pub(super) directives: &'a [bool],
+}
+
+pub(super) struct Names<'a> {
+    pub(super) graph: &'a Graph,
+    pub(super) declarations: &'a Declarations,
+    /// By instance; none where the instance is not in.
+    pub(super) active: Vec<Option<Active<'a>>>,
+    pub(super) order: &'a [usize],
+    table: FxHashMap<Cow<'a, str>, Global>,
+    /// By instance: what fills its slots.
+    slots: FxHashMap<(u32, String), Meaning>,
+}
+
+impl<'a> Names<'a> {
+    /// Collects all declarations, and fills all slots.
+    pub(super) fn new(
+        graph: &'a Graph,
+        declarations: &'a Declarations,
+        active: Vec<Option<Active<'a>>>,
+        order: &'a [usize],
+        errors: &mut Vec<ComposeError>,
+    ) -> Self {
+        let count = active.iter().flatten().map(|active| active.module.declarations.len()).sum();
+        let table = FxHashMap::with_capacity_and_hasher(count, Default::default());
+        let mut names = Self { graph, declarations, active, order, table, slots: FxHashMap::default() };
+        for instance in order {
+            names.declare(*instance, errors);
+        }
+        names.check_flat_names(errors);
+        names.fill_slots(errors);
+        names
+    }
+
+    fn declare(&mut self, instance: usize, errors: &mut Vec<ComposeError>) {
+        let prefix = &self.graph.instances[instance].prefix;
+        let Some(active) = &self.active[instance] else { return };
+        for (index, declaration) in active.module.declarations.iter().enumerate() {
+            let Some((symbol, span)) = declaration.name else { continue };
+            let own = active.module.name(active.text, symbol);
+            let name =
+                if prefix.is_empty() { Cow::Borrowed(own) } else { Cow::Owned(format!("{prefix}_{own}")) };
+            let global = Global { instance: instance as u32, declaration: index as u32 };
+            let at = (self.graph.file(instance), span);
+            let reserved = (*name == *UNIFORM.0 || *name == *UNIFORM.1).then(|| name.to_string());
+            match self.table.entry(name) {
+                std::collections::hash_map::Entry::Vacant(slot) => drop(slot.insert(global)),
+                std::collections::hash_map::Entry::Occupied(taken) => {
+                    let name = taken.key().to_string();
+                    let first = *taken.get();
+                    let first = self.place(first);
+                    const HELP: &str =
+                        "rename one of them, or include one of the fragments `as` a name of its own";
+                    errors.push(ComposeError::Duplicate { name, at, first, help: HELP });
+                }
+            }
+            if let Some(name) = reserved {
+                errors.push(ComposeError::Reserved { name, at });
+            }
+        }
+    }
+
+    /// What the host sees of a parameter, `group_name`, is a name of module scope too.
+    fn check_flat_names(&self, errors: &mut Vec<ComposeError>) {
+        const HELP: &str = "the host sees the parameter under this name; rename one of the two";
+        let mut flat: FxHashMap<String, At> = FxHashMap::default();
+        let parameters = self.declarations.parameters.iter().map(|p| (p.decl.key.flat(), (p.file, p.span)));
+        let options = self.declarations.options.iter().map(|o| (o.decl.key.flat(), (o.file, o.span)));
+        for (name, at) in parameters.chain(options) {
+            if let Some(global) = self.table.get(name.as_str()) {
+                let other = self.place(*global);
+                errors.push(ComposeError::Duplicate { name: name.clone(), at: other, first: at, help: HELP });
+            }
+            if let Some(first) = flat.insert(name.clone(), at) {
+                errors.push(ComposeError::Duplicate { name, at, first, help: HELP });
+            }
+        }
+    }
+
+    /// Where a declaration's name stands.
+    pub(super) fn place(&self, global: Global) -> At {
+        let declaration = self.declaration(global);
+        let span = declaration.name.map_or(declaration.span, |(_, span)| span);
+        (self.graph.file(global.instance as usize), span)
+    }
+
+    pub(super) fn declaration(&self, global: Global) -> &'a Declaration {
+        let active = self.active[global.instance as usize].as_ref();
+        // Only active instances are in the table.
+        &active.map_or(&*EMPTY, |active| active.module).declarations[global.declaration as usize]
+    }
+
+    fn fill_slots(&mut self, errors: &mut Vec<ComposeError>) {
+        let mut filled_by: FxHashMap<usize, (usize, usize)> = FxHashMap::default();
+        // Includers come after those that they include: from the back, each finds its own slots filled.
+        for position in (0..self.order.len()).rev() {
+            let includer = self.order[position];
+            for (directive, child) in self.graph.instances[includer].includes.clone() {
+                let is_active =
+                    self.active[includer].as_ref().is_some_and(|active| active.directives[directive]);
+                let Some(include) = self.graph.include(includer, directive) else { continue };
+                if !is_active {
+                    continue;
+                }
+                let given = self.given(includer, include, child, errors);
+                self.check_missing(includer, include, child, errors);
+                match filled_by.get(&child).copied() {
+                    None => {
+                        filled_by.insert(child, (includer, directive));
+                        for (slot, meaning) in given {
+                            self.slots.insert((child as u32, slot), meaning);
+                        }
+                    }
+                    Some(first) => {
+                        let same = given.iter().all(|(slot, meaning)| {
+                            self.slots.get(&(child as u32, slot.clone())) == Some(meaning)
+                        });
+                        if !same {
+                            errors.push(self.conflict(includer, include, child, first));
+                        }
+                    }
+                }
+            }
+        }
+    }
+
+    fn slots_of(&self, instance: usize) -> Vec<&'a Slot> {
+        let Some(active) = &self.active[instance] else { return Vec::new() };
+        let placed = self.graph.fragment(instance).directives.iter().zip(active.directives);
+        placed
+            .filter(|(_, active)| **active)
+            .filter_map(|(placed, _)| match &placed.directive.kind {
+                DirectiveKind::Slot(slot) => Some(slot),
+                _ => None,
+            })
+            .collect()
+    }
+
+    fn fragment_name(&self, instance: usize) -> String {
+        let loaded = &self.graph.loaded[self.graph.instances[instance].loaded];
+        let prefix = &self.graph.instances[instance].prefix;
+        let name = &loaded.source.name;
+        if prefix.is_empty() { name.to_string() } else { format!("{name} as {prefix}") }
+    }
+
+    fn conflict(
+        &self,
+        includer: usize,
+        include: &Include,
+        child: usize,
+        first: (usize, usize),
+    ) -> ComposeError {
+        let first_span =
+            self.graph.include(first.0, first.1).map_or(include.path.span, |include| include.path.span);
+        ComposeError::SlotConflict {
+            fragment: self.fragment_name(child),
+            at: (self.graph.file(includer), include.path.span),
+            first: (self.graph.file(first.0), first_span),
+        }
+    }
+
+    fn check_missing(
+        &self,
+        includer: usize,
+        include: &Include,
+        child: usize,
+        errors: &mut Vec<ComposeError>,
+    ) {
+        for slot in self.slots_of(child) {
+            if !include.with.iter().any(|(name, _)| name.value == slot.name.value) {
+                errors.push(ComposeError::SlotMissing {
+                    slot: slot.name.value.clone(),
+                    fragment: self.fragment_name(child),
+                    signature: slot.signature.to_string(),
+                    at: (self.graph.file(includer), include.path.span),
+                    declared: (self.graph.file(child), slot.name.span),
+                });
+            }
+        }
+    }
+
+    /// What an include gives to the slots of `child`.
+    fn given(
+        &self,
+        includer: usize,
+        include: &Include,
+        child: usize,
+        errors: &mut Vec<ComposeError>,
+    ) -> Vec<(String, Meaning)> {
+        let slots = self.slots_of(child);
+        let mut given = Vec::new();
+        for (name, target) in &include.with {
+            let at = (self.graph.file(includer), target.span);
+            let Some(slot) = slots.iter().find(|slot| slot.name.value == name.value) else {
+                let names: Vec<_> = slots.iter().map(|slot| slot.name.value.as_str()).collect();
+                let has = if names.is_empty() { "no slots".into() } else { choices(names) };
+                errors.push(ComposeError::SlotUnknown {
+                    slot: name.value.clone(),
+                    fragment: self.fragment_name(child),
+                    slots: has,
+                    at: (self.graph.file(includer), name.span),
+                });
+                continue;
+            };
+            let meaning = match self.look_up(includer, &target.value) {
+                Meaning::Global(global) => Meaning::Renamed(Some(global), target.value.as_str().into()),
+                Meaning::Foreign if is_builtin_function(&target.value) => {
+                    Meaning::Renamed(None, target.value.as_str().into())
+                }
+                renamed @ Meaning::Renamed(..) => renamed,
+                Meaning::OpenSlot => Meaning::Renamed(None, target.value.as_str().into()),
+                _ => {
+                    let names = self.table.keys().map(AsRef::as_ref);
+                    let nearest = nearest(&target.value, names);
+                    errors.push(ComposeError::SlotTarget {
+                        target: target.value.clone(),
+                        slot: name.value.clone(),
+                        nearest,
+                        at,
+                    });
+                    continue;
+                }
+            };
+            if let Meaning::Renamed(Some(global), _) = &meaning
+                && let Err(found) = self.fits(*global, &slot.signature)
+            {
+                errors.push(ComposeError::SlotType {
+                    target: target.value.clone(),
+                    slot: name.value.clone(),
+                    expected: slot.signature.to_string(),
+                    found,
+                    at,
+                    declared: (self.graph.file(child), slot.signature_span),
+                    target_at: self.place(*global),
+                });
+            }
+            given.push((name.value.clone(), meaning));
+        }
+        given
+    }
+
+    /// Whether a declaration is a function of that signature; else what it is.
+    fn fits(&self, global: Global, expected: &Signature) -> Result<(), String> {
+        let declaration = self.declaration(global);
+        let text = self.active[global.instance as usize].as_ref().map_or("", |active| active.text);
+        if declaration.kind != DeclarationKind::Function {
+            return Err("no function".into());
+        }
+        let Some(found) = signature(&text[declaration.span.range()]) else {
+            return Err("no function".into());
+        };
+        let plain = |signature: &Signature| Signature {
+            takes: signature.takes.iter().map(|ty| self.without_alias(ty)).collect(),
+            gives: signature.gives.as_ref().map(|ty| self.without_alias(ty)),
+        };
+        if plain(&found) == plain(expected) { Ok(()) } else { Err(format!("`{found}`")) }
+    }
+
+    /// A type's name with aliases followed, a few steps at most.
+    fn without_alias(&self, ty: &str) -> String {
+        let mut ty = ty.to_owned();
+        for _ in 0..16 {
+            let Some(global) = self.table.get(ty.as_str()) else { break };
+            let declaration = self.declaration(*global);
+            let text = self.active[global.instance as usize].as_ref().map_or("", |active| active.text);
+            let spelled = text[declaration.span.range()].split_once('=');
+            match spelled {
+                Some((_, is)) if declaration.kind == DeclarationKind::Alias => {
+                    ty = crate::syntax::plain_type(is.trim_end_matches(';'));
+                }
+                _ => break,
+            }
+        }
+        ty
+    }
+
+    /// What `name` means in `instance`.
+    pub(super) fn look_up(&self, instance: usize, name: &str) -> Meaning {
+        if let Some(meaning) =
+            self.slots.get(&(instance as u32, name.to_owned())).filter(|_| !self.slots.is_empty())
+        {
+            return meaning.clone();
+        }
+        let prefix = &self.graph.instances[instance].prefix;
+        if !prefix.is_empty() {
+            let own = format!("{prefix}_{name}");
+            if let Some(global) = self.table.get(own.as_str()) {
+                return Meaning::Renamed(Some(*global), own.into());
+            }
+        }
+        if let Some(global) = self.table.get(name) {
+            return Meaning::Global(*global);
+        }
+        let renamed = &self.graph.instances[instance].renamed;
+        if self.declarations.has_group(name) || renamed.as_ref().is_some_and(|(from, _)| from == name) {
+            return Meaning::Group;
+        }
+        if let Some(knob) = self.declarations.find(name) {
+            return Meaning::Knob(knob);
+        }
+        if self.graph.instances[instance].parent.is_none()
+            && self.slots_of(instance).iter().any(|slot| slot.name.value == name)
+        {
+            return Meaning::OpenSlot;
+        }
+        Meaning::Foreign
+    }
+
+    /// The slots of the root fragments, which nobody fills.
+    pub(super) fn open_slots(&self) -> Vec<(usize, &'a Slot)> {
+        let roots = self.graph.roots.iter();
+        roots.flat_map(|root| self.slots_of(*root).into_iter().map(move |slot| (*root, slot))).collect()
+    }
+
+    /// The parameter or option that `reference`, whose name is a group, stands for.
+    pub(super) fn member(&self, instance: usize, reference: &Reference) -> Result<Knob, ComposeError> {
+        let Some(active) = &self.active[instance] else { return Ok(Knob::Parameter(0)) };
+        let name = |symbol: Symbol| active.module.name(active.text, symbol);
+        let group = name(reference.symbol);
+        let file = self.graph.file(instance);
+        let Some((member, member_span)) = reference.member else {
+            return Err(ComposeError::GroupAsValue { group: group.into(), at: (file, reference.span) });
+        };
+        let member = name(member);
+        let renamed = self.graph.instances[instance].renamed.as_ref();
+        let own = renamed.filter(|(from, _)| from == group).map(|(_, to)| format!("{to}.{member}"));
+        let key = format!("{group}.{member}");
+        let found = own.and_then(|own| self.declarations.find(&own)).or_else(|| self.declarations.find(&key));
+        let span = reference.span.to(member_span);
+        let knob = found.ok_or_else(|| {
+            let in_group = format!("{group}.");
+            let keys = self.declarations.keys();
+            let near = nearest(&key, keys.filter(|known| known.starts_with(&in_group)))
+                .or_else(|| nearest(&key, self.declarations.keys()));
+            ComposeError::UnknownMember { key: key.clone(), nearest: near, at: (file, span) }
+        })?;
+        self.readable(knob, (file, span))
+    }
+
+    /// A choice among names has no value in code.
+    pub(super) fn readable(&self, knob: Knob, at: At) -> Result<Knob, ComposeError> {
+        if let Knob::Option(index) = knob
+            && let OptionKind::Choice(_) = self.declarations.options[index].decl.kind
+        {
+            let key = self.declarations.options[index].decl.key.to_string();
+            return Err(ComposeError::ChoiceInCode { key, at, declared: self.declarations.place(knob) });
+        }
+        Ok(knob)
+    }
+
+    /// The identifier that `knob` has in the result.
+    pub(super) fn flat(&self, knob: Knob) -> String {
+        match knob {
+            Knob::Parameter(index) => self.declarations.parameters[index].decl.key.flat(),
+            Knob::Option(index) => self.declarations.options[index].decl.key.flat(),
+        }
+    }
+}
+
+static EMPTY: std::sync::LazyLock<Module> = std::sync::LazyLock::new(Module::default);
+
+/// WGSL's own functions that can fill a slot: those of one signature a type.
+fn is_builtin_function(name: &str) -> bool {
+    const NAMES: [&str; 62] = [
+        "abs",
+        "acos",
+        "acosh",
+        "all",
+        "any",
+        "asin",
+        "asinh",
+        "atan",
+        "atan2",
+        "atanh",
+        "ceil",
+        "clamp",
+        "cos",
+        "cosh",
+        "countLeadingZeros",
+        "countOneBits",
+        "countTrailingZeros",
+        "cross",
+        "degrees",
+        "distance",
+        "dot",
+        "dpdx",
+        "dpdy",
+        "exp",
+        "exp2",
+        "faceForward",
+        "firstLeadingBit",
+        "firstTrailingBit",
+        "floor",
+        "fma",
+        "fract",
+        "fwidth",
+        "inverseSqrt",
+        "ldexp",
+        "length",
+        "log",
+        "log2",
+        "max",
+        "min",
+        "mix",
+        "normalize",
+        "pow",
+        "radians",
+        "reflect",
+        "refract",
+        "reverseBits",
+        "round",
+        "saturate",
+        "select",
+        "sign",
+        "sin",
+        "sinh",
+        "smoothstep",
+        "sqrt",
+        "step",
+        "tan",
+        "tanh",
+        "transpose",
+        "trunc",
+        "determinant",
+        "extractBits",
+        "insertBits",
+    ];
+    NAMES.contains(&name)
+}

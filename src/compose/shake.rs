@@ -1,0 +1,109 @@
+//! Which declarations are in: those that the entry points reach by name.
+//!
+//! Without an entry point, every declaration of the root fragments counts as one: a module on its own.
+
+use super::error::ComposeError;
+use super::names::{Global, Meaning, Names};
+use crate::preset::Knob;
+use crate::syntax::{DeclarationKind, Symbol};
+
+/// What is in, and what each name in it means.
+pub(super) struct Kept {
+    /// By instance, by declaration.
+    pub(super) declarations: Vec<Vec<bool>>,
+    /// By instance, by symbol; none where nobody asked.
+    pub(super) meanings: Vec<Vec<Option<Meaning>>>,
+    /// Which parameters are read, by number.
+    pub(super) parameters: Vec<bool>,
+    /// Which options are read, by number.
+    pub(super) options: Vec<bool>,
+}
+
+impl Kept {
+    /// What the name numbered `symbol` means in `instance`.
+    fn meaning(&mut self, names: &Names<'_>, instance: usize, symbol: Symbol) -> Meaning {
+        let slot = &mut self.meanings[instance][symbol as usize];
+        if slot.is_none() {
+            let name =
+                names.active[instance].as_ref().map_or("", |active| active.module.name(active.text, symbol));
+            *slot = Some(names.look_up(instance, name));
+        }
+        slot.clone().unwrap_or(Meaning::Foreign)
+    }
+}
+
+/// Follows names from the roots. With `keep_all`, every active declaration is a root.
+pub(super) fn shake(names: &Names<'_>, keep_all: bool, errors: &mut Vec<ComposeError>) -> Kept {
+    let sizes = names.active.iter();
+    let mut kept = Kept {
+        declarations: sizes
+            .clone()
+            .map(|a| vec![false; a.as_ref().map_or(0, |a| a.module.declarations.len())])
+            .collect(),
+        meanings: sizes.map(|a| vec![None; a.as_ref().map_or(0, |a| a.module.symbols())]).collect(),
+        parameters: vec![false; names.declarations.parameters.len()],
+        options: vec![false; names.declarations.options.len()],
+    };
+    let mut open = roots(names, keep_all);
+    for global in &open {
+        kept.declarations[global.instance as usize][global.declaration as usize] = true;
+    }
+    while let Some(global) = open.pop() {
+        let instance = global.instance as usize;
+        let Some(active) = &names.active[instance] else { continue };
+        let declaration = &active.module.declarations[global.declaration as usize];
+        if matches!(
+            declaration.kind,
+            DeclarationKind::Enable | DeclarationKind::Requires | DeclarationKind::Diagnostic
+        ) {
+            continue;
+        }
+        for reference in &active.module.references[declaration.references.clone()] {
+            let knob = match kept.meaning(names, instance, reference.symbol) {
+                Meaning::Global(target) | Meaning::Renamed(Some(target), _) => {
+                    let known = &mut kept.declarations[target.instance as usize][target.declaration as usize];
+                    if !std::mem::replace(known, true) {
+                        open.push(target);
+                    }
+                    continue;
+                }
+                Meaning::Group => names.member(instance, reference),
+                Meaning::Knob(knob) => names.readable(knob, (names.graph.file(instance), reference.span)),
+                Meaning::Foreign | Meaning::OpenSlot | Meaning::Renamed(None, _) => continue,
+            };
+            match knob {
+                Ok(Knob::Parameter(index)) => kept.parameters[index] = true,
+                Ok(Knob::Option(index)) => kept.options[index] = true,
+                Err(error) => errors.push(error),
+            }
+        }
+    }
+    kept
+}
+
+fn roots(names: &Names<'_>, keep_all: bool) -> Vec<Global> {
+    let mut entries = Vec::new();
+    let mut always = Vec::new();
+    let mut own = Vec::new();
+    for instance in names.order {
+        let Some(active) = &names.active[*instance] else { continue };
+        let is_root = names.graph.roots.contains(instance);
+        for (index, declaration) in active.module.declarations.iter().enumerate() {
+            let global = Global { instance: *instance as u32, declaration: index as u32 };
+            if keep_all {
+                always.push(global);
+                continue;
+            }
+            match declaration.kind {
+                // What holds for the whole module, and what only naga can say something about.
+                DeclarationKind::ConstAssert | DeclarationKind::Other => always.push(global),
+                DeclarationKind::Enable | DeclarationKind::Requires | DeclarationKind::Diagnostic => {}
+                _ if is_root && declaration.stage.is_some() => entries.push(global),
+                _ if is_root => own.push(global),
+                _ => {}
+            }
+        }
+    }
+    always.extend(if entries.is_empty() { own } else { entries });
+    always
+}

@@ -1,0 +1,11 @@
+//! Presets: reading them, extending one by another, holding them against what the scene declares.
+
+mod error;
+mod json;
+mod read;
+mod settle;
+
+pub use error::{PresetError, PresetErrorKind};
+pub use read::Preset;
+pub(crate) use read::Scene;
+pub use settle::{Declarations, Declared, Knob, Settings, settle};

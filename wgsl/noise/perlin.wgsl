@@ -1,0 +1,117 @@
+// Gradient noise (Perlin 2002, "Improving Noise"), scaled to -1 .. 1.
+
+#include <math/fade.wgsl>
+#include <noise/pcg.wgsl>
+
+/// Gradient noise in the plane, -1 .. 1, zero on the lattice. Standard deviation 0.304.
+fn perlin_noise2(p: vec2f, seed: u32) -> f32 {
+    return perlin_noise2_grad(p, seed).x;
+}
+
+/// Gradient noise in the plane and its analytic gradient: (value, d/dx, d/dy). Value -1 .. 1.
+///
+/// Lattice gradients are unit vectors of any direction, not of the usual eight: landscapes show the difference. The raw
+/// supremum is then 1/sqrt(2), at the middle of a cell whose four gradients point at it.
+fn perlin_noise2_grad(p: vec2f, seed: u32) -> vec3f {
+    let lattice = floor(p);
+    let t = p - lattice;
+    let cell = bitcast<vec2u>(vec2i(lattice));
+    let key = pcg(seed);
+    let row0 = pcg(cell.y + key);
+    let row1 = pcg(cell.y + 1u + key);
+    let g00 = perlin_direction2(pcg(cell.x + row0));
+    let g10 = perlin_direction2(pcg(cell.x + 1u + row0));
+    let g01 = perlin_direction2(pcg(cell.x + row1));
+    let g11 = perlin_direction2(pcg(cell.x + 1u + row1));
+    let v00 = dot(g00, t);
+    let v10 = dot(g10, t - vec2f(1.0, 0.0));
+    let v01 = dot(g01, t - vec2f(0.0, 1.0));
+    let v11 = dot(g11, t - vec2f(1.0, 1.0));
+    let w = quintic_fade2(t);
+    let dw = quintic_fade2_slope(t);
+    let low = mix(v00, v10, w.x);
+    let high = mix(v01, v11, w.x);
+    let carried = mix(mix(g00, g10, w.x), mix(g01, g11, w.x), w.y);
+    let blended = dw * vec2f(mix(v10 - v00, v11 - v01, w.y), high - low);
+    return 1.4142 * vec3f(mix(low, high, w.y), carried + blended);
+}
+
+/// Gradient noise in space, -1 .. 1, zero on the lattice. Standard deviation 0.26.
+fn perlin_noise3(p: vec3f, seed: u32) -> f32 {
+    return perlin_noise3_grad(p, seed).x;
+}
+
+/// Gradient noise in space and its analytic gradient: (value, d/dx, d/dy, d/dz). Value -1 .. 1.
+///
+/// Lattice gradients are Perlin's twelve edges of the cube; the raw supremum is 1.0363538.
+fn perlin_noise3_grad(p: vec3f, seed: u32) -> vec4f {
+    let lattice = floor(p);
+    let t = p - lattice;
+    let cell = bitcast<vec3u>(vec3i(lattice));
+    let key = pcg(seed);
+    let slice0 = pcg(cell.z + key);
+    let slice1 = pcg(cell.z + 1u + key);
+    let row00 = pcg(cell.y + slice0);
+    let row10 = pcg(cell.y + 1u + slice0);
+    let row01 = pcg(cell.y + slice1);
+    let row11 = pcg(cell.y + 1u + slice1);
+    let g000 = perlin_direction3(pcg(cell.x + row00));
+    let g100 = perlin_direction3(pcg(cell.x + 1u + row00));
+    let g010 = perlin_direction3(pcg(cell.x + row10));
+    let g110 = perlin_direction3(pcg(cell.x + 1u + row10));
+    let g001 = perlin_direction3(pcg(cell.x + row01));
+    let g101 = perlin_direction3(pcg(cell.x + 1u + row01));
+    let g011 = perlin_direction3(pcg(cell.x + row11));
+    let g111 = perlin_direction3(pcg(cell.x + 1u + row11));
+    // Each corner as (value, gradient): blending them blends both.
+    let c000 = vec4f(dot(g000, t), g000);
+    let c100 = vec4f(dot(g100, t - vec3f(1.0, 0.0, 0.0)), g100);
+    let c010 = vec4f(dot(g010, t - vec3f(0.0, 1.0, 0.0)), g010);
+    let c110 = vec4f(dot(g110, t - vec3f(1.0, 1.0, 0.0)), g110);
+    let c001 = vec4f(dot(g001, t - vec3f(0.0, 0.0, 1.0)), g001);
+    let c101 = vec4f(dot(g101, t - vec3f(1.0, 0.0, 1.0)), g101);
+    let c011 = vec4f(dot(g011, t - vec3f(0.0, 1.0, 1.0)), g011);
+    let c111 = vec4f(dot(g111, t - vec3f(1.0, 1.0, 1.0)), g111);
+    let w = quintic_fade3(t);
+    let dw = quintic_fade3_slope(t);
+    let x00 = mix(c000, c100, w.x);
+    let x10 = mix(c010, c110, w.x);
+    let x01 = mix(c001, c101, w.x);
+    let x11 = mix(c011, c111, w.x);
+    let y0 = mix(x00, x10, w.y);
+    let y1 = mix(x01, x11, w.y);
+    let blended = dw * vec3f(
+        mix(mix(c100.x - c000.x, c110.x - c010.x, w.y), mix(c101.x - c001.x, c111.x - c011.x, w.y), w.z),
+        mix(x10.x - x00.x, x11.x - x01.x, w.z),
+        y1.x - y0.x,
+    );
+    return 0.9645 * (mix(y0, y1, w.z) + vec4f(0.0, blended));
+}
+
+/// A unit vector from the hash of a lattice point, near enough uniform over the circle (density within 1 %).
+///
+/// Half-angle form of the circle: no sine, so the same on every GPU.
+fn perlin_direction2(bits: u32) -> vec2f {
+    let u = signed_float(bits << 1u); // the top bit chooses the half of the circle
+    let u2 = u * u;
+    let t = u * (0.78540 + u2 * (0.16149 + u2 * 0.05311)); // tan(u pi / 4)
+    let scale = select(1.0, -1.0, bits >= 0x80000000u) / (1.0 + t * t);
+    return vec2f((1.0 - t * t) * scale, 2.0 * t * scale);
+}
+
+/// One of the twelve edge midpoints of the cube with corners at +-1; four of them come up twice as often (Perlin 2002).
+fn perlin_direction3(bits: u32) -> vec3f {
+    let h = bits >> 28u;
+    let a = select(1.0, -1.0, (h & 1u) != 0u);
+    let b = select(1.0, -1.0, (h & 2u) != 0u);
+    if h < 4u {
+        return vec3f(a, b, 0.0);
+    }
+    if h < 8u {
+        return vec3f(a, 0.0, b);
+    }
+    if h < 12u || h == 13u || h == 15u {
+        return vec3f(0.0, a, b);
+    }
+    return vec3f(b, a, 0.0); // 12 and 14
+}

@@ -1,0 +1,33 @@
+// A landscape: land under a clear sky.
+
+#include <camera/camera.wgsl>
+#include <camera/display.wgsl>
+#include <sky/cirrus.wgsl>
+#include <sky/gradient.wgsl>
+#include <terrain/height.wgsl>
+#include <terrain/shade.wgsl>
+
+/// What a ray sees.
+struct Traced {
+    /// Linear sRGB radiance.
+    radiance: vec3f,
+    /// How far the ray went (m); `terrain.far` for the sky.
+    distance: f32,
+}
+
+/// What is seen from `origin` (m) in the unit `direction`.
+fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
+    let hit = terrain_trace(origin, direction);
+    if hit.hit {
+        return Traced(terrain_radiance(origin, direction, hit.distance), hit.distance);
+    }
+    let clear = sky_radiance(direction) + sun_disc(direction);
+    return Traced(cirrus_veil(clear, origin, direction), terrain.far);
+}
+
+/// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
+fn main_image(frag_coord: vec2f) -> vec4f {
+    let ray = camera_ray(frag_coord, terrain_height(camera.position.xz));
+    let seen = scene_trace(ray.origin, ray.direction);
+    return vec4f(display_color(seen.radiance), 1.0);
+}

@@ -1,0 +1,36 @@
+// Thin ice clouds, high up: combed by the wind, too thin to throw shadows.
+
+#include <fractal/fbm.wgsl> as cirrus with noise2 = perlin_noise2_grad
+#include <math/rotation.wgsl>
+#include <noise/perlin.wgsl>
+#include <sky/gradient.wgsl>
+
+/// How much of the sky thin clouds veil: 0 none.
+#param sky.cirrus_cover: f32 = 0.0, range 0 .. 1
+/// Opacity of the thickest of them.
+#param sky.cirrus_opacity: f32 = 0.5, range 0 .. 1
+/// Where the wind up there blows to, clockwise from north.
+#param sky.cirrus_heading: f32 = 70.0, range -360 .. 360, unit deg
+
+const CIRRUS_HEIGHT: f32 = 9000.0; // m
+const CIRRUS_LENGTH: f32 = 14000.0; // m: of the largest wisps, along the wind
+
+/// `behind`, the sky's radiance in `direction`, seen through the cirrus. Seen from above or below alike.
+fn cirrus_veil(behind: vec3f, origin: vec3f, direction: vec3f) -> vec3f {
+    let climb = CIRRUS_HEIGHT - origin.y;
+    if sky.cirrus_cover <= 0.0 || climb * direction.y <= 0.0 {
+        return behind;
+    }
+    let distance = climb / max(abs(direction.y), 0.01) * sign(direction.y);
+    let place = rotate2(origin.xz + abs(distance) * direction.xz, -sky.cirrus_heading) / CIRRUS_LENGTH;
+    let bend = cirrus_fbm2(place * vec2f(1.3, 1.3), 301u, 2.0, 0.5, 2.0);
+    let combed = vec2f(2.6 * place.x, 0.8 * place.y) + 0.28 * bend.xy;
+    let wisps = cirrus_fbm2(combed, 311u, 6.0, 0.56, 2.1).x;
+    let fields = perlin_noise2(0.7 * place + vec2f(4.2, 1.9), 317u);
+    let threshold = 0.75 - 1.3 * sky.cirrus_cover;
+    let thickness = smoothstep(threshold, threshold + 1.1, wisps + 0.8 * fields);
+    let near = smoothstep(0.03, 0.22, abs(direction.y)); // at the horizon the haze hides them
+    let toward_sun = max(dot(direction, sun_direction()), 0.0);
+    let light = 0.16 * sun_light() * (0.7 + 1.6 * pow(toward_sun, 8.0)) + 0.25 * sky_irradiance();
+    return mix(behind, light, near * sky.cirrus_opacity * thickness);
+}

@@ -1,0 +1,66 @@
+// The height of the land: which relief it has, and its slope.
+
+#include <quality.wgsl>
+
+/// The forms of the land: rolling hills, ridged mountains, a sea of dunes, or terraced canyons.
+#option terrain.relief = ridged { fbm, ridged, dunes, terraces }
+/// Which land of its kind: another seed, another land.
+#param terrain.seed: u32 = 1
+/// Width of the largest forms.
+#param terrain.scale: f32 = 6000.0, range 10 .. 1000000, log, unit m
+/// Octaves of the noise that the land is made of; those too small to see in a pixel are left out.
+#param terrain.octaves: f32 = 13.0, range 1 .. 14
+
+#if terrain.relief == dunes
+#include <terrain/dunes.wgsl>
+#elif terrain.relief == terraces
+#include <terrain/terraces.wgsl>
+#else
+#include <terrain/mountains.wgsl>
+#endif
+
+/// Height of the land (m) at `p` (m, east and south), with every detail.
+fn terrain_height(p: vec2f) -> f32 {
+    return terrain_height_filtered(p, 0.0);
+}
+
+/// Height of the land (m) at `p` (m), without the octaves that are too small to be seen in a pixel `footprint` (m) wide.
+fn terrain_height_filtered(p: vec2f, footprint: f32) -> f32 {
+    let octaves = min(terrain.octaves, log2(terrain.scale / max(2.0 * footprint, 1e-3)));
+#if terrain.relief == dunes
+    return dunes_height(p, octaves, footprint);
+#elif terrain.relief == terraces
+    return terraces_height(p, octaves);
+#else
+    return mountains_height(p, octaves);
+#endif
+}
+
+/// Height of the land and its slope: (height in m, rise over run to the east, to the south). By central differences.
+fn terrain_height_grad(p: vec2f) -> vec3f {
+    return terrain_height_grad_filtered(p, 0.1);
+}
+
+/// As `terrain_height_grad`, filtered to a pixel `footprint` (m) wide, over which the differences are taken as well.
+fn terrain_height_grad_filtered(p: vec2f, footprint: f32) -> vec3f {
+    let reach = max(footprint, 0.05);
+    // West, east, north, south: a loop, since compilers copy the whole land into every place that it is called from.
+    var around = vec4f(0.0);
+    for (var i = 0; i < 4; i++) {
+        let offset = select(0.5, -0.5, (i & 1) == 0) * reach;
+        let here = p + select(vec2f(0.0, offset), vec2f(offset, 0.0), i < 2);
+        around[i] = terrain_height_filtered(here, footprint);
+    }
+    return vec3f(0.25 * dot(around, vec4f(1.0)), (around.y - around.x) / reach, (around.w - around.z) / reach);
+}
+
+/// A height (m) that the land nowhere exceeds.
+fn terrain_ceiling() -> f32 {
+#if terrain.relief == dunes
+    return dunes_ceiling();
+#elif terrain.relief == terraces
+    return terraces_ceiling();
+#else
+    return mountains_ceiling();
+#endif
+}

@@ -1,0 +1,79 @@
+// How the land is found by a ray, lit and veiled.
+
+#include <camera/camera.wgsl>
+#include <light/outdoor.wgsl>
+#include <march/heightfield.wgsl> as land with height = terrain_height_filtered
+#include <quality.wgsl>
+#include <sky/gradient.wgsl>
+#include <sun/sun.wgsl>
+#include <terrain/height.wgsl>
+#include <terrain/material.wgsl>
+
+/// How far away land is still looked for.
+#param terrain.far: f32 = 45000.0, range 100 .. 1000000, log, unit m
+/// How far shadows are thrown.
+#param terrain.shadow_reach: f32 = 9000.0, range 1 .. 100000, log, unit m
+/// Albedo of the surroundings, for the light that they throw back.
+#param terrain.surroundings: vec3f = (0.12, 0.12, 0.10), color
+/// How wide the hollows are that see less of the sky.
+#param terrain.hollow: f32 = 250.0, range 0.1 .. 10000, unit m
+
+#if quality == low
+const LAND_STEPS: i32 = 80;
+const LAND_RELAX: f32 = 0.6;
+const LAND_GROWTH: f32 = 0.008;
+const LAND_SHADOW_STEPS: i32 = 14;
+const LAND_DETAIL: f32 = 3.0; // width of the smallest detail looked at, in pixels
+#elif quality == medium
+const LAND_STEPS: i32 = 150;
+const LAND_RELAX: f32 = 0.5;
+const LAND_GROWTH: f32 = 0.003;
+const LAND_SHADOW_STEPS: i32 = 28;
+const LAND_DETAIL: f32 = 1.5;
+#elif quality == high
+const LAND_STEPS: i32 = 320;
+const LAND_RELAX: f32 = 0.35;
+const LAND_GROWTH: f32 = 0.0010;
+const LAND_SHADOW_STEPS: i32 = 48;
+const LAND_DETAIL: f32 = 1.0;
+#else
+const LAND_STEPS: i32 = 500;
+const LAND_RELAX: f32 = 0.28;
+const LAND_GROWTH: f32 = 0.0005;
+const LAND_SHADOW_STEPS: i32 = 96;
+const LAND_DETAIL: f32 = 0.7;
+#endif
+
+/// Where a ray meets the land.
+fn terrain_trace(origin: vec3f, direction: vec3f) -> land_Hit {
+    let pixel_angle = camera_pixel_angle();
+    let how = land_March(0.05, LAND_GROWTH, LAND_RELAX, LAND_STEPS, 8, LAND_DETAIL * pixel_angle);
+    return land_march(origin, direction, terrain_ceiling(), terrain.far, how);
+}
+
+/// Radiance of the land at `distance` (m) along a ray, haze included.
+fn terrain_radiance(origin: vec3f, direction: vec3f, distance: f32) -> vec3f {
+    let footprint = LAND_DETAIL * distance * camera_pixel_angle();
+    let along = origin + distance * direction;
+    let land = terrain_height_grad_filtered(along.xz, footprint);
+    let position = vec3f(along.x, land.x, along.z);
+    let normal = normalize(vec3f(-land.y, 1.0, -land.z));
+    let here = terrain_material(position, normal, footprint);
+
+    let to_sun = sun_direction();
+    let lift = max(0.5 * footprint, 0.02);
+    var lit = 0.0;
+    if dot(normal, to_sun) > 0.0 {
+        lit = land_shadow(
+            position + lift * normal, to_sun, sun.radius, max(2.0 * footprint, 0.3), terrain.shadow_reach,
+            terrain_ceiling(), footprint, LAND_SHADOW_STEPS,
+        );
+    }
+    // A hollow is where the land around is higher than here: it sees less of the sky.
+    let around = terrain_height_filtered(position.xz, terrain.hollow);
+    let openness = clamp(0.85 + 1.2 * (position.y - around) / terrain.hollow, 0.35, 1.0);
+    let radiance = outdoor_radiance(
+        here.albedo, here.normal, to_sun, sun_light(), sky_irradiance(), lit, openness, terrain.surroundings,
+    );
+    return sky_veil(radiance, origin, direction, distance);
+}

@@ -1,0 +1,62 @@
+// A plateau cut by canyons: hard layers stand as cliffs, soft ones lie as slopes between them.
+
+#include <fractal/fbm.wgsl> as plateau with noise2 = terrain_noise
+#include <noise/pcg.wgsl>
+#include <terrain/basis.wgsl>
+#include <terrain/height.wgsl>
+
+/// Depth of the canyons.
+#param terraces.depth: f32 = 900.0, range 1 .. 5000, unit m
+/// Layers of rock between the canyon's floor and the plateau.
+#param terraces.layers: f32 = 9.0, range 1 .. 60
+/// How much of the height is cliff: 0 even slopes, 1 stairs.
+#param terraces.cliffs: f32 = 0.85, range 0 .. 1
+/// How much of the land is cut away: -1 little, 1 nearly all, so that only mesas are left.
+#param terraces.erosion: f32 = 0.2, range -1 .. 1
+
+/// Where one layer of rock ends and the next begins, in mean layers; the first at 0, the last at `layers`.
+fn terrace_boundary(index: f32, layers: f32, seed: u32) -> f32 {
+    if index <= 0.0 || index >= layers {
+        return clamp(index, 0.0, layers);
+    }
+    return index + 0.8 * unit_float(pcg_cell2(vec2i(i32(index), 0), seed)) - 0.4;
+}
+
+/// Stairs of uneven height: 0 .. 1 for `level` 0 .. 1, never falling. Each has a slope of rubble, a cliff and a bench.
+fn terrace_profile(level: f32, layers: f32, cliffs: f32, seed: u32) -> f32 {
+    let x = clamp(level, 0.0, 1.0) * layers;
+    var layer = floor(x);
+    if x < terrace_boundary(layer, layers, seed) {
+        layer -= 1.0;
+    } else if x >= terrace_boundary(layer + 1.0, layers, seed) {
+        layer += 1.0;
+    }
+    let base = terrace_boundary(layer, layers, seed);
+    let top = max(terrace_boundary(layer + 1.0, layers, seed), base + 1e-3);
+    let t = clamp((x - base) / (top - base), 0.0, 1.0);
+    let hardness = unit_float(pcg_cell2(vec2i(i32(layer), 1), seed));
+    let cliff_height = 0.35 + 0.35 * hardness;
+    let rubble = (0.92 - cliff_height) * smoothstep(0.0, 1.0, t / 0.45) * (0.5 + 0.5 * min(t / 0.45, 1.0));
+    let cliff = cliff_height * smoothstep(0.45, 0.55, t);
+    let bench = 0.08 * t;
+    return (base + (top - base) * mix(t, rubble + cliff + bench, cliffs)) / layers;
+}
+
+/// Height (m) of the terraced land at `p` (m).
+fn terraces_height(p: vec2f, octaves: f32) -> f32 {
+    let q = p / terrain.scale;
+    let bend = vec2f(
+        terrain_noise(1.7 * q + vec2f(5.2, 1.3), terrain.seed + 61u).x,
+        terrain_noise(1.7 * q + vec2f(8.1, 7.4), terrain.seed + 62u).x,
+    );
+    let wide = plateau_fbm2(q + 0.22 * bend, terrain.seed, min(octaves, 4.0), 0.5, 2.1).x;
+    let fine = plateau_fbm2(16.0 * q, terrain.seed + 71u, octaves - 4.0, 0.55, 2.05).x;
+    let level = 0.55 - 0.4 * terraces.erosion + 0.95 * wide + 0.035 * fine;
+    let stairs = terrace_profile(level, terraces.layers, terraces.cliffs, terrain.seed + 5u);
+    return terraces.depth * (stairs + 0.012 * fine);
+}
+
+/// A height (m) that the land nowhere exceeds.
+fn terraces_ceiling() -> f32 {
+    return terraces.depth * 1.03;
+}

@@ -1,0 +1,132 @@
+//! Orogen's chores: `cargo xtask demo` and `cargo xtask test`.
+//!
+//! Every chore says each command before it runs it, so that whoever wants to can type them by hand.
+
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "a chore's job is to tell a person what it does"
+)]
+
+mod cases;
+mod demo;
+mod install;
+mod judges;
+mod run;
+mod test;
+
+use std::process::ExitCode;
+
+use install::Install;
+use run::Outcome;
+
+const HELP: &str = "\
+Orogen's chores
+
+usage: cargo xtask <demo|test|judge> [--no-install]
+
+  demo    builds Orogen and makes out/alpine.wgsl (a shader to put into your own program),
+          out/alpine.shadertoy.glsl (a shader to paste into Shadertoy) and out/alpine.png (its picture)
+  test    everything that must hold before a change goes in: formatting, lints, the build without a GPU,
+          all tests, the examples, the judges, the documentation
+  judge   the judges alone: Tint, glslang and spirv-val on all that Orogen writes for its presets and modules
+
+  --no-install   install nothing: say what is missing and how to get it, and stop
+
+Without --no-install a chore installs what it needs and the machine lacks, through the system's package
+manager, and says so: Mesa's software Vulkan driver (lavapipe), glslang, SPIRV-Tools, Node.js. Tint comes
+from npm into tests/judges/node_modules.
+
+Exit status: 0 all is well; 1 something failed, and the last lines say what; 2 wrong usage
+";
+
+/// What the command line asks for.
+#[derive(Debug, PartialEq)]
+enum Chore {
+    Demo(Install),
+    Test(Install),
+    Judge(Install),
+    Help,
+}
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let chore = match parse(&arguments) {
+        Ok(chore) => chore,
+        Err(complaint) => {
+            eprintln!("error: {complaint}\n\n{HELP}");
+            return ExitCode::from(2);
+        }
+    };
+    match carry_out(&chore) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("\nerror: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn carry_out(chore: &Chore) -> Outcome {
+    match chore {
+        Chore::Demo(install) => demo::demo(*install),
+        Chore::Test(install) => test::test(*install),
+        Chore::Judge(install) => judges::judge_alone(*install),
+        Chore::Help => {
+            print!("{HELP}");
+            Ok(())
+        }
+    }
+}
+
+/// The chore that `arguments` (without the program's name) ask for, or what is wrong with them.
+fn parse(arguments: &[String]) -> Result<Chore, String> {
+    let mut install = Install::WhatIsMissing;
+    let mut names = Vec::new();
+    for argument in arguments {
+        match argument.as_str() {
+            "-h" | "--help" | "help" => return Ok(Chore::Help),
+            "--no-install" => install = Install::Nothing,
+            flag if flag.starts_with('-') => return Err(format!("there is no flag `{flag}`")),
+            name => names.push(name),
+        }
+    }
+    match names.as_slice() {
+        [] => Err("which chore?".to_owned()),
+        ["demo"] => Ok(Chore::Demo(install)),
+        ["test"] => Ok(Chore::Test(install)),
+        ["judge"] => Ok(Chore::Judge(install)),
+        [name] => Err(format!("there is no chore `{name}`")),
+        [_, second, ..] => Err(format!("one chore at a time: `{second}` is one too many")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn parsed(line: &str) -> Result<Chore, String> {
+        let arguments: Vec<String> = line.split_whitespace().map(str::to_owned).collect();
+        parse(&arguments)
+    }
+
+    #[test]
+    fn a_chore_installs_unless_told_not_to() {
+        assert_eq!(parsed("demo"), Ok(Chore::Demo(Install::WhatIsMissing)));
+        assert_eq!(parsed("test --no-install"), Ok(Chore::Test(Install::Nothing)));
+        assert_eq!(parsed("--no-install judge"), Ok(Chore::Judge(Install::Nothing)));
+    }
+
+    #[test]
+    fn help_wins_over_everything_before_a_mistake() {
+        assert_eq!(parsed("--help"), Ok(Chore::Help));
+        assert_eq!(parsed("demo --help"), Ok(Chore::Help));
+    }
+
+    #[test]
+    fn nothing_unknown_and_too_much_are_wrong_usage() {
+        for line in ["", "--no-install", "tset", "test --install", "demo test"] {
+            assert!(parsed(line).is_err(), "`{line}` passed");
+        }
+    }
+}

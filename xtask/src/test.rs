@@ -1,0 +1,85 @@
+//! `cargo xtask test`: everything that must hold before a change goes in. The first failure stops it.
+
+use crate::install::{self, Install};
+use crate::judges;
+use crate::run::{Failure, Outcome, Steps, capture, cargo, run, shown};
+
+/// What must not be in the tree of a build without default features: a GPU stack and what only the command line needs.
+const ONLY_BY_FEATURE: [&str; 4] = ["wgpu", "clap", "image", "indicatif"];
+
+/// Runs all steps and sums them up, also after a failure.
+pub(crate) fn test(install: Install) -> Outcome {
+    let mut steps = Steps::default();
+    let outcome = all(&mut steps, install);
+    steps.sum_up();
+    outcome
+}
+
+/// The steps: quick ones first, so that a slip shows within seconds.
+fn all(steps: &mut Steps, install: Install) -> Outcome {
+    steps.step("formatting", || {
+        install::formatter_and_linter(install)?;
+        run(&mut cargo("fmt --all --check"))
+    })?;
+    steps.step("lints", || run(&mut cargo("clippy --workspace --all-targets -- -D warnings")))?;
+    steps.step("lints without default features", || {
+        run(&mut cargo("clippy -p orogen --no-default-features --lib -- -D warnings"))
+    })?;
+    steps.step("no GPU stack without default features", dependencies)?;
+    steps.step("what the tests need", || {
+        install::driver(install)?;
+        install::judges(install)
+    })?;
+    let driver = install::driver_for_tests();
+    steps.step("tests", || {
+        if capture(&mut cargo("nextest --version")).is_ok() {
+            return run(cargo("nextest run --workspace --no-fail-fast").envs(driver.clone()));
+        }
+        println!("cargo-nextest is not here: running the same tests through `cargo test`");
+        run(cargo("test --workspace --lib --bins --tests --examples --no-fail-fast").envs(driver.clone()))
+    })?;
+    steps.step("tests in the documentation", || run(cargo("test --doc").envs(driver.clone())))?;
+    steps.step("examples", || {
+        run(&mut cargo("build --examples"))?;
+        run(cargo("run --quiet --example standalone").envs(driver.clone()))?;
+        run(cargo("run --quiet --example host_shader").envs(driver.clone()))
+    })?;
+    steps.step("benchmarks build", || run(&mut cargo("bench --no-run")))?;
+    steps.step("judges", || {
+        run(&mut cargo("build --release"))?;
+        judges::judge()
+    })?;
+    steps.step("documentation", || run(cargo("doc --no-deps").env("RUSTDOCFLAGS", "-D warnings")))
+}
+
+/// Checks that nothing of `ONLY_BY_FEATURE` is in the tree without default features, on any platform.
+fn dependencies() -> Outcome {
+    let mut tree =
+        cargo("tree -p orogen --no-default-features -e normal --target all --prefix none --format {p}");
+    println!("$ {}", shown(&tree));
+    let found = unwanted(&capture(&mut tree)?);
+    if found.is_empty() {
+        println!("none of {}", ONLY_BY_FEATURE.join(", "));
+        return Ok(());
+    }
+    Err(Failure::Check(format!("in the tree of `orogen` without default features: {}", found.join(", "))))
+}
+
+/// Which of `ONLY_BY_FEATURE` stand in `tree`, one package a line with its name first.
+fn unwanted(tree: &str) -> Vec<&'static str> {
+    let named = |unwanted: &&str| tree.lines().any(|line| line.split_whitespace().next() == Some(unwanted));
+    ONLY_BY_FEATURE.into_iter().filter(|name| named(name)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_package_is_unwanted_by_its_whole_name() {
+        let tree =
+            "orogen v0.1.0 (/somewhere/image)\nimage-webp v0.2.0\nwgpu-types v30.0.0\nnaga v30.0.0 (*)\n";
+        assert_eq!(unwanted(tree), <[&str; 0]>::default());
+        assert_eq!(unwanted(&format!("{tree}wgpu v30.0.0\nclap v4.5.0 (*)\n")), ["wgpu", "clap"]);
+    }
+}
