@@ -15,8 +15,6 @@ pub use literal::literal;
 pub use map::{Origin, Segment, SourceMap};
 pub use plan::{Bake, Storage};
 
-use std::sync::Arc;
-
 use crate::compose::Composition;
 use crate::diagnostic::Error;
 use crate::preset::{Declarations, Declared, Preset, settle};
@@ -26,7 +24,7 @@ use crate::syntax::Value;
 /// A composed shader with its values in it, not yet checked.
 pub struct Baked {
     /// The text.
-    pub text: Arc<str>,
+    pub text: String,
     /// Where every byte of it is from.
     pub map: SourceMap,
     /// Uniform layout and overrides.
@@ -47,7 +45,7 @@ pub fn bake(composition: Composition, bake: &Bake, templates: &Templates) -> Res
         (0..composition.parameters.len()).filter(|index| composition.parameters[*index].read).collect();
     let interface = interface::interface(&composition, &storage, &used, bake.binding);
     let (text, map) = text::assemble(&composition, &storage, &used, &interface, templates)?;
-    Ok(Baked { text: text.into(), map, interface, storage, composition })
+    Ok(Baked { text, map, interface, storage, composition })
 }
 
 /// The bytes of the uniform buffer with the values of `preset`; none where no parameter is live.

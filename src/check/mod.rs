@@ -34,10 +34,10 @@ pub fn capabilities() -> Capabilities {
 /// # Errors
 /// What naga says, told at the author's place.
 pub fn check(baked: Baked) -> Result<Checked, Error> {
-    let text = baked.text.clone();
-    let outcome = guarded(move || {
+    let text = &baked.text;
+    let outcome = guarded(|| {
         let options = wgsl::Options { parse_doc_comments: false, capabilities: capabilities() };
-        let module = wgsl::Frontend::new_with_options(options).parse(&text).map_err(Fault::Parse)?;
+        let module = wgsl::Frontend::new_with_options(options).parse(text).map_err(Fault::Parse)?;
         let info = Validator::new(ValidationFlags::all(), capabilities())
             .validate(&module)
             .map_err(|error| Fault::Invalid(Box::new(error)))?;

@@ -5,6 +5,7 @@
 //! values themselves are put in by the next stage, `bake`. Nothing here knows naga.
 
 mod cache;
+mod catalogue;
 mod decide;
 mod emit;
 mod error;
@@ -13,6 +14,7 @@ mod names;
 mod shake;
 
 pub use cache::Cache;
+pub use catalogue::{Catalogue, catalogue};
 pub use emit::{Hoisted, Piece};
 pub use error::{At, ComposeError};
 pub use names::UNIFORM;
@@ -121,6 +123,8 @@ pub struct Request<'a> {
 pub struct Survey {
     /// The preset's name.
     pub name: String,
+    /// The scene's name.
+    pub scene: Arc<str>,
     /// Every text that was read.
     pub files: Arc<Files>,
     /// All parameters and options that any branch can reach.
@@ -163,7 +167,8 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         Err(errors) => return Err(Error::new(errors.into_iter().map(Diagnostic::from).collect(), files)),
     };
     let name = request.preset.name().to_owned();
-    Ok(Survey { name, files: files.into(), declarations, settings, graph })
+    let scene = files.get(graph.file(root)).name.clone();
+    Ok(Survey { name, scene, files: files.into(), declarations, settings, graph })
 }
 
 /// Puts a scene together.

@@ -62,7 +62,7 @@ pub(super) struct Names<'a> {
     pub(super) order: &'a [usize],
     table: FxHashMap<Cow<'a, str>, Global>,
     /// By instance: what fills its slots.
-    slots: FxHashMap<(u32, String), Meaning>,
+    slots: FxHashMap<u32, FxHashMap<String, Meaning>>,
 }
 
 impl<'a> Names<'a> {
@@ -160,13 +160,14 @@ impl<'a> Names<'a> {
                 match filled_by.get(&child).copied() {
                     None => {
                         filled_by.insert(child, (includer, directive));
-                        for (slot, meaning) in given {
-                            self.slots.insert((child as u32, slot), meaning);
+                        if !given.is_empty() {
+                            self.slots.insert(child as u32, given.into_iter().collect());
                         }
                     }
                     Some(first) => {
+                        let known = self.slots.get(&(child as u32));
                         let same = given.iter().all(|(slot, meaning)| {
-                            self.slots.get(&(child as u32, slot.clone())) == Some(meaning)
+                            known.and_then(|known| known.get(slot)) == Some(meaning)
                         });
                         if !same {
                             errors.push(self.conflict(includer, include, child, first));
@@ -329,9 +330,7 @@ impl<'a> Names<'a> {
 
     /// What `name` means in `instance`.
     pub(super) fn look_up(&self, instance: usize, name: &str) -> Meaning {
-        if let Some(meaning) =
-            self.slots.get(&(instance as u32, name.to_owned())).filter(|_| !self.slots.is_empty())
-        {
+        if let Some(meaning) = self.slots.get(&(instance as u32)).and_then(|slots| slots.get(name)) {
             return meaning.clone();
         }
         let prefix = &self.graph.instances[instance].prefix;

@@ -24,7 +24,8 @@ fn terrain_height(p: vec2f) -> f32 {
     return terrain_height_filtered(p, 0.0);
 }
 
-/// Height of the land (m) at `p` (m), without the octaves that are too small to be seen in a pixel `footprint` (m) wide.
+/// Height of the land (m) at `p` (m), without the octaves that are too small to be seen in a pixel `footprint` (m)
+/// wide.
 fn terrain_height_filtered(p: vec2f, footprint: f32) -> f32 {
     let octaves = min(terrain.octaves, log2(terrain.scale / max(2.0 * footprint, 1e-3)));
 #if terrain.relief == dunes
