@@ -24,13 +24,11 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
     for index in 0..frames {
         let (width, height) = args.size;
         let shot = Shot {
-            width,
-            height,
             samples: args.samples,
             time: args.time + index as f32 / args.fps,
-            delta: if args.frames.is_some() { 1.0 / args.fps } else { 0.0 },
+            delta: args.frames.map(|_| 1.0 / args.fps),
             index,
-            ..Shot::default()
+            ..Shot::new(width, height)
         };
         let mut report = |done: u64, total: u64| {
             bar.set_length(total * u64::from(frames));

@@ -100,6 +100,9 @@ fn declare(
     pieces: &mut Vec<Piece>,
 ) {
     let module = active.module;
+    if !kept.rewrites[active.instance] {
+        return copy(pieces, &module.pieces[declaration.pieces.clone()]);
+    }
     let references = &module.references[declaration.references.clone()];
     let meanings = &kept.meanings[active.instance];
     let mut changes =
@@ -152,7 +155,7 @@ fn check_locals(
             errors.push(ComposeError::Hidden { name: name.into(), what, at: (file, *span) });
         }
     }
-    if locals.is_empty() {
+    if locals.is_empty() || !kept.rewrites[active.instance] {
         return;
     }
     for reference in &active.module.references[declaration.references.clone()] {

@@ -95,7 +95,9 @@ impl<'a> Names<'a> {
                 if prefix.is_empty() { Cow::Borrowed(own) } else { Cow::Owned(format!("{prefix}_{own}")) };
             let global = Global { instance: instance as u32, declaration: index as u32 };
             let at = (self.graph.file(instance), span);
-            let reserved = (*name == *UNIFORM.0 || *name == *UNIFORM.1).then(|| name.to_string());
+            let has_uniform = !self.declarations.parameters.is_empty();
+            let is_ours = has_uniform && (*name == *UNIFORM.0 || *name == *UNIFORM.1);
+            let reserved = is_ours.then(|| name.to_string());
             match self.table.entry(name) {
                 std::collections::hash_map::Entry::Vacant(slot) => drop(slot.insert(global)),
                 std::collections::hash_map::Entry::Occupied(taken) => {

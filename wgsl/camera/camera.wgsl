@@ -34,7 +34,7 @@ struct CameraRay {
 
 /// The ray through `frag_coord` (pixels from the bottom left; whoever calls adds `frame.jitter` to it).
 ///
-/// `ground_height`: of the ground (m) beneath `camera.position`.
+/// `ground_height`: height of the ground (m) beneath `camera.position`.
 fn camera_ray(frag_coord: vec2f, ground_height: f32) -> CameraRay {
     var origin = camera.position;
 #if camera.above_ground

@@ -21,7 +21,7 @@
 /// How wide the widest gullies are.
 #param terrain.gully_width: f32 = 900.0, range 10 .. 20000, unit m
 /// Height of the roughness on top of it all: boulders, humps and hollows.
-#param terrain.detail: f32 = 130.0, range 0 .. 500, unit m
+#param terrain.detail: f32 = 110.0, range 0 .. 500, unit m
 
 const DETAIL_OCTAVE: f32 = 4.0; // the octave at which roughness begins: a sixteenth of the scale
 
@@ -61,7 +61,7 @@ fn mountains_height(p: vec2f, octaves: f32) -> f32 {
 
     // Roughness, most where it is steep.
     let steep = smoothstep(0.1, 1.0, length(land.yz));
-    let fine = relief_fbm2(16.0 * q, terrain.seed + 307u, octaves - DETAIL_OCTAVE, 0.5, terrain.lacunarity);
+    let fine = relief_fbm2(16.0 * q, terrain.seed + 307u, octaves - DETAIL_OCTAVE, 0.58, terrain.lacunarity);
     land.x += terrain.detail * (0.08 + 0.92 * steep) * fine.x;
     return land.x;
 }
@@ -74,5 +74,5 @@ fn mountains_ceiling() -> f32 {
 #else
     let forms = 1.0 + 0.394 * rest;
 #endif
-    return terrain.peak_height * (0.12 + 0.88 * forms) + terrain.gully_depth + 2.0 * terrain.detail;
+    return terrain.peak_height * (0.12 + 0.88 * forms) + terrain.gully_depth + 2.4 * terrain.detail;
 }
