@@ -171,11 +171,11 @@ fn what_es300_has_is_written_so_that_glslang_agrees() {
         "atan2(p.x, p.y) + fma(p.x, 2.0, 1.0) + sign(p.x) + trunc(p.x) + round(p.x)",
         "modf(p.x).whole + saturate(p.x) + degrees(p.x) + inverseSqrt(p.x) + step(0.5, p.x)",
         "select(p, vec2f(1.0), p < vec2f(1.0)).x + select(1.0, 2.0, p.x < 1.0)",
-        "f32(select(1, 2, p.x < 1.0)) + f32(pack2x16float(p)) + unpack2x16unorm(u32(p.x)).x",
+        "f32(select(1, 2, p.x < 1.0)) + f32(pack2x16snorm(p)) + unpack2x16unorm(u32(p.x)).x",
         "f32(abs(vec2i(p)).x) + f32(min(vec2i(p), vec2i(3)).y) + f32(dot(vec2i(p), vec2i(1)))",
         "f32(clamp(vec3u(p.xyx), vec3u(1), vec3u(9)).x % 3u) + (p.x % 2.0) + f32(i32(p.x) / i32(p.y))",
         "determinant(mat3x3f(p.xyx, p.yxy, p.xxy)) + transpose(mat2x2f(p, p))[0].y + outer(p)",
-        "bitcast<f32>(bitcast<u32>(p.x) >> 1u) + f32(~u32(p.x)) + f32(any(p > vec2f())) + quantizeToF16(p.x)",
+        "bitcast<f32>(bitcast<u32>(p.x) >> 1u) + f32(~u32(p.x)) + f32(any(p > vec2f()))",
         "refract(p, p, 0.5).x + reflect(p, p).x + faceForward(p, p, p).y + length(p) + distance(p, p)",
     ];
     for (index, value) in values.into_iter().enumerate() {
@@ -252,7 +252,7 @@ fn the_entry_point_is_the_first_or_the_one_that_is_named() {
     assert!(write(None).expect("is written").contains("vec4(1.0)"));
     assert!(write(Some("two")).expect("is written").contains("vec4(2.0)"));
     let error = write(Some("three")).expect_err("there is none");
-    assert_eq!(error.diagnostics()[0].help.as_deref(), Some("choose one or two"), "{error}");
+    assert_eq!(error.diagnostics()[0].help.as_deref(), Some("choose `one` or `two`"), "{error}");
 }
 
 #[test]
@@ -290,7 +290,10 @@ fn a_file_that_is_wgsl_already_passes_through() {
         let header =
             header.unwrap_or_else(|| panic!("{} is not as it was:\n{}", path.display(), whole.wgsl()));
         assert!(header.lines().all(|line| line.starts_with("//")) && header.ends_with('\n'), "{header}");
-        assert_eq!(compacted(run(false).wgsl()), compacted(&source), "{}", path.display());
+        let (ours, theirs) = (compacted(run(false).wgsl()), compacted(&source));
+        let difference = ours.lines().zip(theirs.lines()).find(|(ours, theirs)| ours != theirs);
+        assert_eq!(difference, None, "{}", path.display());
+        assert_eq!(ours.len(), theirs.len(), "{}", path.display());
         count += 1;
     }
     assert!(count >= 12);
@@ -301,7 +304,9 @@ fn compacted(source: &str) -> String {
     let mut module = naga::front::wgsl::parse_str(source).expect("naga parses it");
     naga::compact::compact(&mut module, naga::compact::KeepUnused::No);
     module.diagnostic_filters = naga::Arena::new(); // their debug text has spans in it
-    format!("{module:#?}")
+    let text = format!("{module:#?}");
+    let is_span = |line: &&str| ["start: ", "end: "].iter().any(|field| line.trim_start().starts_with(field));
+    text.lines().filter(|line| !is_span(line)).collect::<Vec<_>>().join("\n")
 }
 
 /// One mapping of a decoded source map: line and column in the result; source, line and column, where there is an origin.

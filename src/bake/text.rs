@@ -147,8 +147,9 @@ impl Writer<'_> {
 
     /// Text of the template's own.
     fn glue(&mut self, text: &str) {
-        let surplus = self.surplus(text);
-        self.text.push_str(&text[surplus..]);
+        for line in text.split_inclusive('\n') {
+            self.text.push_str(&line[self.surplus(line)..]);
+        }
     }
 
     /// How many line breaks at the start of `text` would leave two empty lines in a row where pieces meet.

@@ -86,10 +86,17 @@ type Text = Result<Result<String, ExportError>, Error>;
 
 fn file(shader: &Shader, templates: &Templates, name: &str, code: Result<String, ExportError>) -> Text {
     let code = match code {
-        Ok(code) => code.trim().to_owned(),
+        Ok(code) => airy(code.trim()),
         Err(error) => return Ok(Err(error)),
     };
     template::render(templates, name, Context { header: header(shader, templates)?, code }).map(Ok)
+}
+
+/// `code` with at most one empty line in a row.
+pub(super) fn airy(code: &str) -> String {
+    let mut last_empty = false;
+    let keep = |line: &&str| !std::mem::replace(&mut last_empty, line.is_empty()) || !line.is_empty();
+    code.lines().filter(keep).collect::<Vec<_>>().join("\n")
 }
 
 /// HLSL for shader model 6.0. `@group(g) @binding(b)` is register `b` in space `g`.

@@ -8,7 +8,7 @@ use naga::{Binding, BuiltIn, Module, ShaderStage, TypeInner};
 use rustc_hash::FxHashSet;
 use serde::Serialize;
 
-use super::back::{failed, settled, written};
+use super::back::{airy, failed, settled, written};
 use super::error::ExportError;
 use super::es300;
 use super::header::header;
@@ -151,11 +151,7 @@ fn shadertoy_parts(shader: &Shader, entry: Option<&str>) -> Result<ShadertoyCont
     });
     let frame = frame.collect();
     let live = live(shader, &shown, &mut lines);
-    let mut code = lines.join("\n");
-    while code.contains("\n\n\n") {
-        code = code.replace("\n\n\n", "\n\n");
-    }
-    Ok(ShadertoyContext { header: String::new(), live, code: code.trim().to_owned(), frame, main })
+    Ok(ShadertoyContext { header: String::new(), live, code: airy(lines.join("\n").trim()), frame, main })
 }
 
 /// The entry point of a scene for targets that call `main_image`.
