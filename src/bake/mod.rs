@@ -3,17 +3,20 @@
 //! What the result looks like is the template `wgsl.jinja`. The fragments' own text never goes through the template
 //! engine: the template places a mark for each piece, and the pieces go in afterwards, so that the source map stays exact.
 
+mod facts;
 mod interface;
 mod literal;
 mod map;
 mod plan;
 mod text;
 
+pub(crate) use facts::Facts;
 pub(crate) use interface::number;
 pub use interface::{Binding, EntryPoint, Field, Interface, Override, Uniform};
 pub use literal::literal;
 pub use map::{Origin, Segment, SourceMap};
 pub use plan::{Bake, Storage};
+pub(crate) use text::clean;
 
 use crate::compose::Composition;
 use crate::diagnostic::Error;
