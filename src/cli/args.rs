@@ -78,9 +78,9 @@ pub(super) struct Export {
     /// What to write
     #[arg(long, value_enum, default_value = "wgsl")]
     pub(super) target: Target,
-    /// Which entry point a scene gets
-    #[arg(long, value_enum, default_value = "fragment")]
-    pub(super) stage: Stage,
+    /// Which entry point a scene gets: fragment, unless told
+    #[arg(long, value_enum)]
+    pub(super) stage: Option<Stage>,
     #[command(flatten)]
     pub(super) baking: Baking,
     /// Write a Source Map (v3) beside the file, as FILE.map (wgsl only)

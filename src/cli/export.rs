@@ -19,10 +19,10 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
         args::Target::Msl => export::Target::Msl,
         args::Target::Json => export::Target::Json,
     };
-    let stage = match args.stage {
+    let stage = args.stage.map(|stage| match stage {
         args::Stage::Fragment => export::Stage::Fragment,
         args::Stage::Compute => export::Stage::Compute,
-    };
+    });
     let to_stdout = args.output == Path::new("-");
     if args.source_map && (to_stdout || target != export::Target::Wgsl) {
         let why = "--source-map writes FILE.map beside a WGSL file: it needs `-o FILE` and the target wgsl";
@@ -31,13 +31,10 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     if to_stdout && target == export::Target::Spirv && std::io::stdout().is_terminal() {
         return Err(Failure::Usage("SPIR-V is binary: write it to a file with `-o FILE`".into()));
     }
-    if stage == export::Stage::Compute && matches!(target, export::Target::Glsl | export::Target::Shadertoy) {
-        return Err(Failure::Usage("GLSL ES 3.00 and Shadertoy have no compute stage: leave `--stage` out".into()));
-    }
     let library = input::library(common)?;
     let preset = input::preset(&args.preset, common)?;
     let mut composer = input::composer(common)?;
-    composer.stage = target.stage(stage);
+    composer.stage = target.stage(stage).map_err(|error| Failure::Usage(error.diagnostics()[0].message.clone()))?;
     composer.keep_unused = args.keep_unused;
     let shader = composer.run(&library, &preset, &target.bake(input::bake(&args.baking)))?;
     let bytes = export::export(&shader, target, &composer.templates)?;
