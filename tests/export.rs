@@ -1,5 +1,7 @@
 //! What `export` writes, judged by other people's tools: naga reads the WGSL again, glslang the GLSL, spirv-val the SPIR-V.
 
+#![expect(clippy::panic, reason = "a test says what it found")]
+
 use std::path::{Path, PathBuf};
 use std::process::Command;
 

@@ -173,3 +173,22 @@ fn msl_slots(module: &Module) -> naga_msl::EntryPointResources {
         sizes_buffer: next(&mut buffers), // lengths of runtime-sized arrays, where there are any
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_panic_of_nagas_is_an_error_of_ours() {
+        #[expect(clippy::panic, reason = "it is what is tested")]
+        let outcome = written::<()>(Target::Hlsl, || panic!("internal error: entered unreachable code"));
+        let error = outcome.expect_err("it panicked").bare();
+        assert_eq!(error.diagnostics()[0].code, "OR0811");
+        assert_eq!(error.diagnostics()[0].notes, ["naga says: internal error: entered unreachable code"]);
+    }
+
+    #[test]
+    fn of_several_empty_lines_one_is_left() {
+        assert_eq!(airy("a\n\n\n\nb\nc\n\nd"), "a\n\nb\nc\n\nd");
+    }
+}

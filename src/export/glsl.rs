@@ -275,12 +275,11 @@ fn wrappable(module: &Module, name: &str) -> Result<(), ExportError> {
 /// Shadertoy has no buffers, and textures only by its own names.
 fn unbound(shader: &Shader, module: &Module) -> Result<(), ExportError> {
     let ours = shader.interface().uniform.as_ref().map(|uniform| uniform.name);
-    for (handle, variable) in module.global_variables.iter().filter(|(_, v)| v.binding.is_some()) {
-        let name = variable.name.clone().unwrap_or_default();
-        let range = module.global_variables.get_span(handle).to_range();
-        let span = range.map(|range| Span::new(range.start, range.end));
-        let ours = ours == Some(name.as_str());
-        return Err(ExportError::Binding { ours, span: span.filter(|_| !ours), name });
-    }
-    Ok(())
+    let mut bound = module.global_variables.iter().filter(|(_, variable)| variable.binding.is_some());
+    let Some((handle, variable)) = bound.next() else { return Ok(()) };
+    let name = variable.name.clone().unwrap_or_default();
+    let ours = ours == Some(name.as_str());
+    let range = module.global_variables.get_span(handle).to_range();
+    let span = range.map(|range| Span::new(range.start, range.end));
+    Err(ExportError::Binding { ours, span: span.filter(|_| !ours), name })
 }

@@ -105,13 +105,14 @@ pub(super) fn show(
         if !occurs.contains(&index) {
             continue;
         }
-        let is_free = |name: &String| {
-            !is_reserved(name)
-                && (matches!(word.scope, Scope::Members(_)) || !taken.contains(name.as_str()))
-                && !used.contains(&(word.scope, name.clone()))
-                && !(matches!(word.scope, Scope::Function(_))
-                    && used.contains(&(Scope::Global, name.clone())))
+        let is_member = matches!(word.scope, Scope::Members(_));
+        let is_local = matches!(word.scope, Scope::Function(_));
+        let is_taken = |name: &String| {
+            used.contains(&(word.scope, name.clone()))
+                || !is_member && taken.contains(name.as_str())
+                || is_local && used.contains(&(Scope::Global, name.clone()))
         };
+        let is_free = |name: &String| !is_reserved(name) && !is_taken(name);
         let plain = sanitized(&word.name);
         let base = plain.trim_end_matches('_');
         let name = if is_free(&plain) {
