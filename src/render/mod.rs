@@ -3,6 +3,17 @@
 //!
 //! Headless: nothing here opens a window. Every call waits for the GPU, runs on a thread of its own with a deep stack, and
 //! gives back what wgpu has to say as an [`Error`](crate::Error).
+//!
+//! ```no_run
+//! use orogen::render::{Format, Gpu, Shot, encode, render};
+//!
+//! let preset = orogen::Preset::named("alpine")?;
+//! let shader = orogen::compose(&orogen::Library::standard(), &preset, &orogen::Bake::constants())?;
+//! let shot = Shot { samples: 8, ..Shot::new(960, 540) };
+//! let picture = render(&Gpu::new(None)?, &shader, &preset, &shot, &mut |done, of| eprintln!("{done} of {of}"))?;
+//! let file = encode(&picture, Format::of("alpine.png")?)?;
+//! # Ok::<(), orogen::Error>(())
+//! ```
 
 mod adapter;
 mod device;
