@@ -26,7 +26,8 @@ pub struct Checked {
 
 /// What WebGPU offers without any optional feature.
 pub fn capabilities() -> Capabilities {
-    Capabilities::default()
+    // `pack2x16float` and its kin are core WGSL; naga counts them as an extra for the sake of old GL.
+    Capabilities::default() | Capabilities::SHADER_FLOAT16_IN_FLOAT32
 }
 
 /// Parses and validates with WebGPU's default capabilities.

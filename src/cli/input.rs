@@ -16,13 +16,12 @@ pub(super) fn library(common: &Common) -> Result<Library, Failure> {
 
 /// A composer with the templates of `--templates`.
 pub(super) fn composer(common: &Common) -> Result<Compose, Failure> {
-    let templates = match &common.templates {
-        None => Templates::standard(),
-        Some(folder) => {
-            Templates::with_folder(folder).map_err(|why| Failure::Usage(format!("--templates: {why}")))?
-        }
-    };
-    Ok(Compose { templates, ..Compose::default() })
+    let mut composer = Compose::default();
+    if let Some(folder) = &common.templates {
+        composer.templates =
+            Templates::with_folder(folder).map_err(|why| Failure::Usage(format!("--templates: {why}")))?;
+    }
+    Ok(composer)
 }
 
 /// The preset that `name` stands for, with the values of `--set`.

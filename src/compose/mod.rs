@@ -115,6 +115,8 @@ pub struct Request<'a> {
     pub preset: &'a Preset,
     /// The entry point of a scene that has `main_image` and no entry point of its own.
     pub wrapper: Option<Source>,
+    /// A fragment that is put in beside the scene.
+    pub beside: Option<Source>,
     /// Keep declarations that no entry point reaches.
     pub keep_unused: bool,
 }
@@ -154,6 +156,9 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         && !has_entry
     {
         graph.add_root(wrapper.clone(), library, cache, &mut files, &mut errors);
+    }
+    if let Some(beside) = &request.beside {
+        graph.add_root(beside.clone(), library, cache, &mut files, &mut errors);
     }
     if !errors.is_empty() {
         return Err(fail(errors, files));
