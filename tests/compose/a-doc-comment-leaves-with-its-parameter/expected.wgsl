@@ -5,6 +5,7 @@ const p_x: f32 = 1.0;
 const p_y: f32 = 2.0;
 /// Leaves.
 const p_z: f32 = 3.0;
+
 // ---- input.wgsl ----
 // A remark that stays.
 /// Stays: it is the function's.

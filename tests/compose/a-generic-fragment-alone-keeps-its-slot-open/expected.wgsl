@@ -3,6 +3,7 @@
 const fbm_octaves: i32 = 4;
 fn noise2(a: vec2f) -> f32 { return f32(); }
 fn tell(a: f32) {}
+
 // ---- input.wgsl ----
 // Noise upon noise.
 

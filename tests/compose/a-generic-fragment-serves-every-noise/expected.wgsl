@@ -6,9 +6,11 @@ struct OrogenParams {
     relief_octaves: i32,
 }
 @group(0) @binding(0) var<uniform> orogen: OrogenParams;
+
 // ---- noises.wgsl ----
 fn value2(p: vec2f) -> f32 { return p.x; }
 fn perlin2(p: vec2<f32>) -> f32 { return p.y; }
+
 // ---- fbm.wgsl as relief ----
 // Noise upon noise.
 
@@ -24,6 +26,7 @@ fn relief_fbm2(p: vec2f) -> f32 {
     }
     return sum;
 }
+
 // ---- fbm.wgsl as detail ----
 // Noise upon noise.
 
@@ -39,6 +42,7 @@ fn detail_fbm2(p: vec2f) -> f32 {
     }
     return sum;
 }
+
 // ---- input.wgsl ----
 @fragment fn main() -> @location(0) vec4f {
     return vec4f(relief_fbm2(vec2f(1)) + detail_fbm2(vec2f(2)) + f32(orogen.relief_octaves));

@@ -1,5 +1,7 @@
+
 // ---- lib.wgsl ----
 fn of_library() -> f32 { return 1.0; }
+
 // ---- input.wgsl ----
 // A module.
 

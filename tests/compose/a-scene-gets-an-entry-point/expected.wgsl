@@ -5,12 +5,15 @@ struct OrogenParams {
     frame_jitter: vec2f,
 }
 @group(0) @binding(0) var<uniform> orogen: OrogenParams;
+
 // ---- lib.wgsl ----
 fn lib() -> f32 { return orogen.frame_time; }
+
 // ---- input.wgsl ----
 fn main_image(frag_coord: vec2f) -> vec4f {
     return vec4f(frag_coord / orogen.frame_resolution, lib(), 1.0);
 }
+
 // ---- templates/entry_fragment.wgsl ----
 // The scene as a picture: one triangle over the whole target, and a fragment for each pixel.
 

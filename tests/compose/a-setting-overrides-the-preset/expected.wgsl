@@ -1,6 +1,7 @@
 // ---- a ----
 const a_x: f32 = 3.0;
 const a_v: vec3f = vec3f(1.0, 2.0, 3.0);
+
 // ---- input.wgsl ----
 @fragment
 fn main() -> @location(0) vec4f {

@@ -4,8 +4,10 @@ const high_base_octaves: i32 = 4;
 // ---- high_twice ----
 /// How many octaves.
 const high_twice_octaves: i32 = 4;
+
 // ---- noises.wgsl ----
 fn perlin2(p: vec2<f32>) -> f32 { return p.y; }
+
 // ---- fbm.wgsl as high_base ----
 // Noise upon noise.
 
@@ -21,6 +23,7 @@ fn high_base_fbm2(p: vec2f) -> f32 {
     }
     return sum;
 }
+
 // ---- fbm.wgsl as high_twice ----
 // Noise upon noise.
 
@@ -36,10 +39,12 @@ fn high_twice_fbm2(p: vec2f) -> f32 {
     }
     return sum;
 }
+
 // ---- ridges.wgsl as high ----
 fn high_doubled(p: vec2f) -> f32 { return 2.0 * perlin2(p); }
 
 fn high_ridges(p: vec2f) -> f32 { return 1.0 - abs(high_base_fbm2(p)) - high_twice_fbm2(p); }
+
 // ---- input.wgsl ----
 @fragment fn main() -> @location(0) vec4f {
     return vec4f(high_ridges(vec2f(1)));

@@ -2,10 +2,12 @@
 /// Documented.
 const p_x: f32 = 1.0;
 const p_y: f32 = 2.0;
+
 // ---- a.wgsl ----
 
 
 fn a() -> f32 { return 1.0; }
+
 // ---- input.wgsl ----
 // Head.
 

@@ -8,8 +8,10 @@ const cumulus_cover: f32 = 0.25;
 // ---- cumulus_detail ----
 /// How many octaves.
 const cumulus_detail_octaves: i32 = 4;
+
 // ---- noises.wgsl ----
 fn perlin2(p: vec2<f32>) -> f32 { return p.y; }
+
 // ---- fbm.wgsl as cirrus_detail ----
 // Noise upon noise.
 
@@ -25,6 +27,7 @@ fn cirrus_detail_fbm2(p: vec2f) -> f32 {
     }
     return sum;
 }
+
 // ---- layer.wgsl as cirrus ----
 /// Its own noise.
 fn cirrus_own_noise(p: vec2f) -> f32 { return perlin2(p) * cirrus_SHARPNESS; }
@@ -34,6 +37,7 @@ const cirrus_SHARPNESS = 2.0;
 fn cirrus_density(p: vec2f) -> f32 {
     return cirrus_detail_fbm2(p) * cirrus_cover;
 }
+
 // ---- fbm.wgsl as cumulus_detail ----
 // Noise upon noise.
 
@@ -49,6 +53,7 @@ fn cumulus_detail_fbm2(p: vec2f) -> f32 {
     }
     return sum;
 }
+
 // ---- layer.wgsl as cumulus ----
 /// Its own noise.
 fn cumulus_own_noise(p: vec2f) -> f32 { return perlin2(p) * cumulus_SHARPNESS; }
@@ -58,6 +63,7 @@ const cumulus_SHARPNESS = 2.0;
 fn cumulus_density(p: vec2f) -> f32 {
     return cumulus_detail_fbm2(p) * cumulus_cover;
 }
+
 // ---- input.wgsl ----
 @fragment fn main() -> @location(0) vec4f {
     return vec4f(cirrus_density(vec2f(1)) + cumulus_density(vec2f(2)));

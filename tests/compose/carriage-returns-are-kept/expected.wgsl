@@ -1,12 +1,14 @@
 // ---- p ----
 /// Doc.
 const p_x: f32 = 1.0;
+
 // ---- a.wgsl ----
 // A.
 
 fn a() -> f32 {
     return 1.0;
 }
+
 // ---- input.wgsl ----
 // Head.
 

@@ -20,6 +20,7 @@ struct OrogenParams {
     set_tint: vec3f,
 }
 @group(0) @binding(0) var<uniform> orogen: OrogenParams;
+
 // ---- input.wgsl ----
 // A scene.
 

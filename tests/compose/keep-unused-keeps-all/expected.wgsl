@@ -1,3 +1,4 @@
+
 // ---- lib.wgsl ----
 // The library.
 
@@ -12,6 +13,7 @@ fn used() -> f32 { return Outer(Inner(1.0), 2.0).inner.x; }
 fn lost() -> Lost { return Lost(); }
 struct Lost { x: f32 }
 var<private> state: f32;
+
 // ---- input.wgsl ----
 // The file says what it is.
 

@@ -2,6 +2,7 @@
 const steps: i32 = 16;
 // ---- scene ----
 const scene_fog: bool = true;
+
 // ---- input.wgsl ----
 fn sum(n: i32) -> f32 {
     var sum = 0.0;

@@ -1,5 +1,6 @@
 // ---- options ----
 const quality: i32 = 3;
+
 // ---- input.wgsl ----
 fn a(quality_like: i32) -> i32 { return quality * quality_like; }
 

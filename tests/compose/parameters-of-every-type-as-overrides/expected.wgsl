@@ -19,6 +19,7 @@ override set_four_x: f32 = 0.001;
 override set_four_y: f32 = 2.0;
 override set_four_z: f32 = 3.0;
 override set_four_w: f32 = 16777216.0;
+
 // ---- input.wgsl ----
 // A scene.
 

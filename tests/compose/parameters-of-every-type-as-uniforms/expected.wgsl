@@ -15,6 +15,7 @@ struct OrogenParams {
     set_four: vec4f,
 }
 @group(0) @binding(0) var<uniform> orogen: OrogenParams;
+
 // ---- input.wgsl ----
 // A scene.
 

@@ -13,6 +13,7 @@ var<private> set_pair: vec2f = vec2f(1.0, -2.5);
 /// A colour.
 var<private> set_tint: vec3f = vec3f(0.32, 0.29, 0.27);
 var<private> set_four: vec4f = vec4f(0.001, 2.0, 3.0, 16777216.0);
+
 // ---- input.wgsl ----
 // A scene.
 

@@ -9,7 +9,7 @@ fn one(p: ptr<function, array<vec2<f32>, d>>) -> bool {
     let lt = a.b < c;
     let both = a.b < c && d > (a.b);
     let shifted = a.b >> 1u;
-    let called = all(vec2<bool>(a.b<c, d>(4)));
+    let called = all(vec2<bool>(a.b<c, (d>4)));
     let made = vec3<f32>(f32(a.b)) ;
     return lt && both && a.b<=c && shifted >= 0;
 }

@@ -1,3 +1,4 @@
+
 // ---- lib.wgsl ----
 // The library.
 
@@ -9,9 +10,9 @@ const PADDING = 16;
 const_assert SIZE == LIMIT; // holds for all
 const LIMIT = 8;
 fn used() -> f32 { return Outer(Inner(1.0), 2.0).inner.x; }
+
 // ---- input.wgsl ----
 // The file says what it is.
-
 
 @compute @workgroup_size(SIZE)
 fn work() {
