@@ -110,7 +110,8 @@ impl Shader {
     /// # Errors
     /// Where `preset` sets what the scene does not have, or out of range.
     pub fn uniform_bytes(&self, preset: &Preset) -> Result<Vec<u8>, Error> {
-        bake::uniform_bytes(&self.checked.interface, &self.declarations, preset)
+        let files = &self.checked.baked.composition.files;
+        bake::uniform_bytes(&self.checked.interface, &self.declarations, files, preset)
     }
 
     /// What `wgpu` makes a shader module of.

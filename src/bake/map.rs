@@ -56,10 +56,8 @@ impl SourceMap {
             let end = Span { start: first.from.end, end: first.from.end };
             return Some(Origin { file: first.file, span: end, instance: first.instance });
         }
-        if !first.copied {
-            return Some(Origin { file: first.file, span: first.from, instance: first.instance });
-        }
-        let start = first.from.start + (out.start - first.out.start);
+        let inside = if first.copied { out.start - first.out.start } else { 0 };
+        let start = first.from.start + inside;
         let last_byte = out.end.max(out.start + 1) - 1;
         let last = self.segments.partition_point(|segment| segment.out.start <= last_byte);
         let last = self.segments.get(last.saturating_sub(1)).filter(|last| {

@@ -21,7 +21,7 @@ pub(crate) use text::clean;
 use crate::compose::Composition;
 use crate::diagnostic::Error;
 use crate::preset::{Declarations, Declared, Preset, settle};
-use crate::source::Templates;
+use crate::source::{Files, Templates};
 use crate::syntax::Value;
 
 /// A composed shader with its values in it, not yet checked.
@@ -55,10 +55,19 @@ pub fn bake(composition: Composition, bake: &Bake, templates: &Templates) -> Res
 pub(crate) fn uniform_bytes(
     interface: &Interface,
     parameters: &Declarations,
+    declared_in: &Files,
     preset: &Preset,
 ) -> Result<Vec<u8>, Error> {
-    let settings = settle(preset, parameters)
-        .map_err(|errors| Error::new(errors.into_iter().map(Into::into).collect(), preset.files.clone()))?;
+    let settings = settle(preset, parameters).map_err(|errors| {
+        // The declarations' texts are numbered as the composition read them, not as this preset did.
+        let mut files = preset.files.clone();
+        let offset = files.append(declared_in);
+        let diagnostics = errors.into_iter().map(|mut error| {
+            error.kind.shift_declared(offset);
+            error.into()
+        });
+        Error::new(diagnostics.collect(), files)
+    })?;
     let values = parameters.parameters.iter().zip(&settings.parameters);
     let values = values.map(|(declared, value)| (declared, *value));
     Ok(layout_bytes(interface, values))

@@ -3,8 +3,8 @@
 use std::error::Error as _;
 
 use naga::front::wgsl::ParseError;
-use naga::valid::ValidationError;
-use naga::{Span as NagaSpan, WithSpan};
+use naga::valid::{CallError, EntryPointError, ExpressionError, FunctionError, ValidationError};
+use naga::{BinaryOperator, Scalar, ScalarKind, Span as NagaSpan, TypeInner, WithSpan};
 
 use crate::bake::Baked;
 use crate::diagnostic::{Diagnostic, nearest};
@@ -13,9 +13,19 @@ use crate::syntax::{TokenKind, lex};
 
 pub(super) fn parse_error(baked: &Baked, error: &ParseError) -> Diagnostic {
     let mut diagnostic = Diagnostic::error("OR0701", error.message());
-    let labels: Vec<_> = error.labels().map(|(span, label)| (span, label.to_owned())).collect();
+    let labels = error.labels().map(|(span, label)| {
+        let label = if label == "see msg" { "here" } else { label };
+        (span, label.to_owned())
+    });
+    let labels: Vec<_> = labels.collect();
     diagnostic = place(baked, diagnostic, &labels);
     diagnostic = diagnostic.notes(error.notes().map(str::to_owned));
+    if error.message().starts_with("Unexpected runtime-expression") {
+        diagnostic.message = "a constant is made of what is known only while the shader runs".into();
+        diagnostic = diagnostic.help(Some(
+            "a live parameter is no constant: use it in a function, or bake it as a constant".into(),
+        ));
+    }
     let unknown = error.message().strip_prefix("no definition in scope for identifier: ");
     if let Some(name) = unknown.map(|name| name.trim_matches(['`', '\''])) {
         diagnostic = diagnostic.help(near_name(baked, name).map(|near| format!("did you mean `{near}`?")));
@@ -24,18 +34,136 @@ pub(super) fn parse_error(baked: &Baked, error: &ParseError) -> Diagnostic {
 }
 
 pub(super) fn validation_error(baked: &Baked, error: &WithSpan<ValidationError>) -> Diagnostic {
-    // The innermost reason says what is wrong; the outer ones, in naga's numbers, where.
+    // The innermost reason says what is wrong; of the outer ones, those count that name something of the author's.
     let mut reasons = vec![error.as_inner().to_string()];
     let mut source = error.as_inner().source();
     while let Some(inner) = source {
         reasons.push(inner.to_string());
         source = inner.source();
     }
-    let message = reasons.pop().unwrap_or_default();
-    let mut diagnostic = Diagnostic::error("OR0702", message);
-    let labels: Vec<_> = error.spans().map(|(span, label)| (*span, label.clone())).collect();
-    diagnostic = place(baked, diagnostic, &labels);
-    diagnostic.notes(reasons)
+    let function = match error.as_inner() {
+        ValidationError::Function { name, source, .. } => Some((name, source)),
+        ValidationError::EntryPoint { name, source: EntryPointError::Function(source), .. } => {
+            Some((name, source))
+        }
+        _ => None,
+    };
+    let plain = function.and_then(|(name, error)| in_words(name, error));
+    let (message, at_place, help) = plain
+        .unwrap_or_else(|| (without_handles(&reasons.pop().unwrap_or_default()), "here".to_owned(), None));
+    // The narrowest place first: the whole function around it says nothing that the narrower does not.
+    let mut spans: Vec<_> = error.spans().cloned().collect();
+    spans.sort_by_key(|(span, _)| span.to_range().map_or(usize::MAX, |range| range.len()));
+    let labels: Vec<_> = spans
+        .into_iter()
+        .take(1)
+        .map(|(span, label)| {
+            let says_more = !label.contains("naga::") && label != message;
+            (span, if says_more { label } else { at_place.clone() })
+        })
+        .collect();
+    let mut diagnostic = place(baked, Diagnostic::error("OR0702", message), &labels).help(help);
+    let named = match error.as_inner() {
+        ValidationError::Function { name, .. } => Some(format!("in the function `{name}`")),
+        ValidationError::EntryPoint { name, .. } => Some(format!("in the entry point `{name}`")),
+        ValidationError::GlobalVariable { name, .. } => Some(format!("in the variable `{name}`")),
+        ValidationError::Type { name, .. } if !name.is_empty() => Some(format!("in the type `{name}`")),
+        _ => None,
+    };
+    diagnostic.notes.splice(0..0, named);
+    diagnostic
+}
+
+/// The commonest faults without naga's numbers: the message, the label at the place, and the help.
+fn in_words(name: &str, error: &FunctionError) -> Option<(String, String, Option<String>)> {
+    match error {
+        FunctionError::InvalidReturnType { expression: None, .. } => Some((
+            format!("`{name}` can end without returning a value"),
+            "here".into(),
+            Some("add a `return` at its end".into()),
+        )),
+        FunctionError::InvalidReturnType { expression: Some(_), .. } => Some((
+            format!("the returned value is not of the type that `{name}` declares"),
+            "of another type".into(),
+            None,
+        )),
+        FunctionError::Expression {
+            source: ExpressionError::InvalidBinaryOperandTypes { op, lhs_type, rhs_type, .. },
+            ..
+        } => {
+            let (left, right) = (type_name(lhs_type)?, type_name(rhs_type)?);
+            let message = format!("`{}` does not take `{left}` and `{right}`", operator(*op));
+            Some((message, format!("this is `{left}`"), None))
+        }
+        FunctionError::InvalidCall { error: CallError::ArgumentCount { required, seen }, .. } => Some((
+            format!("the function takes {required} arguments, and {seen} are given"),
+            "called here".into(),
+            None,
+        )),
+        _ => None,
+    }
+}
+
+/// As WGSL names the type; none where that takes more than its shape.
+fn type_name(ty: &TypeInner) -> Option<String> {
+    let scalar = |scalar: &Scalar| {
+        let kind = match scalar.kind {
+            ScalarKind::Sint => "i",
+            ScalarKind::Uint => "u",
+            ScalarKind::Float => "f",
+            ScalarKind::Bool => return Some("bool".to_owned()),
+            ScalarKind::AbstractInt | ScalarKind::AbstractFloat => return None,
+        };
+        Some(format!("{kind}{}", 8 * u32::from(scalar.width)))
+    };
+    match ty {
+        TypeInner::Scalar(of) => scalar(of),
+        TypeInner::Vector { size, scalar: of } => Some(format!("vec{}<{}>", *size as u8, scalar(of)?)),
+        TypeInner::Matrix { columns, rows, scalar: of } => {
+            Some(format!("mat{}x{}<{}>", *columns as u8, *rows as u8, scalar(of)?))
+        }
+        _ => None,
+    }
+}
+
+fn operator(operator: BinaryOperator) -> &'static str {
+    use BinaryOperator as B;
+    match operator {
+        B::Add => "+",
+        B::Subtract => "-",
+        B::Multiply => "*",
+        B::Divide => "/",
+        B::Modulo => "%",
+        B::Equal => "==",
+        B::NotEqual => "!=",
+        B::Less => "<",
+        B::LessEqual => "<=",
+        B::Greater => ">",
+        B::GreaterEqual => ">=",
+        B::And => "&",
+        B::ExclusiveOr => "^",
+        B::InclusiveOr => "|",
+        B::LogicalAnd => "&&",
+        B::LogicalOr => "||",
+        B::ShiftLeft => "<<",
+        B::ShiftRight => ">>",
+    }
+}
+
+/// `message` without naga's numbers of types and expressions: `[3]`.
+fn without_handles(message: &str) -> String {
+    let mut words: Vec<&str> = Vec::new();
+    for word in message.split(' ') {
+        let bare = word.trim_end_matches([',', '.']);
+        let is_handle = bare
+            .strip_prefix('[')
+            .and_then(|rest| rest.strip_suffix(']'))
+            .is_some_and(|number| number.bytes().all(|byte| byte.is_ascii_digit()));
+        if !is_handle {
+            words.push(word);
+        }
+    }
+    words.join(" ")
 }
 
 /// Labels at the authors' places, the first as the primary one, and how its file was reached.

@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use rustc_hash::FxHashMap;
+
 use super::error::ComposeError;
 use super::names::{Active, Meaning, Names, UNIFORM};
 use super::shake::Kept;
@@ -54,13 +56,22 @@ pub(super) fn pieces(
         return pieces;
     }
     copy(&mut pieces, &module.pieces[module.head.clone()]);
+    let head = pieces.len();
+    let contiguous = match pieces.last() {
+        Some(Piece::Copy(span)) => span.end,
+        _ => 0,
+    };
     let mut hides = vec![None; module.symbols()];
     let mut last_kept = true;
     for (index, declaration) in module.declarations.iter().enumerate() {
         last_kept = is_kept(index);
         if last_kept {
             check_locals(names, kept, active, declaration, &mut hides, errors);
+            let first = pieces.len() == head;
             declare(names, kept, active, declaration, &mut pieces);
+            if first {
+                skip_blank_lines(active.text, &mut pieces, head, contiguous);
+            }
         }
     }
     if last_kept {
@@ -76,6 +87,21 @@ pub(super) fn is_directive(kind: DeclarationKind) -> bool {
 fn copy(pieces: &mut Vec<Piece>, spans: &[Span]) {
     for span in spans {
         push(pieces, *span);
+    }
+}
+
+/// Blank lines that stood between what is left out and the first declaration that is in.
+fn skip_blank_lines(text: &str, pieces: &mut Vec<Piece>, first: usize, contiguous: u32) {
+    let Some(Piece::Copy(span)) = pieces.get_mut(first) else { return };
+    if span.start == contiguous {
+        return; // nothing is left out
+    }
+    let piece = &text[span.range()];
+    let blank = piece.len() - piece.trim_start().len();
+    let lines = piece[..blank].rfind('\n').map_or(0, |at| at + 1);
+    span.start += lines as u32;
+    if span.is_empty() {
+        pieces.remove(first);
     }
 }
 
@@ -158,6 +184,8 @@ fn check_locals(
     if locals.is_empty() || !kept.rewrites[active.instance] {
         return;
     }
+    let by_name: FxHashMap<&str, Span> =
+        locals.iter().rev().map(|(symbol, span)| (active.module.name(active.text, *symbol), *span)).collect();
     for reference in &active.module.references[declaration.references.clone()] {
         let spelled: String = match kept.meanings[active.instance][reference.symbol as usize].as_ref() {
             Some(Meaning::Renamed(_, name)) => name.to_string(),
@@ -171,16 +199,13 @@ fn check_locals(
         // However the parameter is baked: `group_name`, a component of it, or a field of the uniform buffer.
         let is_read =
             !matches!(kept.meanings[active.instance][reference.symbol as usize], Some(Meaning::Renamed(..)));
-        let taken = |local: &str| {
-            local == spelled
-                || is_read
-                    && (local == UNIFORM.0
-                        || local.strip_suffix(['x', 'y', 'z', 'w']).and_then(|stem| stem.strip_suffix('_'))
-                            == Some(&spelled))
-        };
-        let hiding = locals.iter().find(|(symbol, _)| taken(active.module.name(active.text, *symbol)));
-        if let Some((symbol, span)) = hiding {
-            let name = active.module.name(active.text, *symbol).to_owned();
+        let component = |suffix: &str| by_name.get(format!("{spelled}{suffix}").as_str());
+        let hiding = by_name.get(spelled.as_str()).or_else(|| {
+            let read = is_read.then(|| by_name.get(UNIFORM.0));
+            read?.or_else(|| ["_x", "_y", "_z", "_w"].into_iter().find_map(component))
+        });
+        if let Some(span) = hiding {
+            let name = active.text[span.range()].to_owned();
             let source =
                 names.active[active.instance].as_ref().map_or("", |a| &a.text[reference.span.range()]);
             let what = match reference.member {

@@ -280,14 +280,23 @@ impl From<ComposeError> for Diagnostic {
                     "a parameter may change while the shader runs; declare it as `#option`".into(),
                 ))
             }
-            E::Mismatch { at, .. } => d("OR0203", at, "cannot be compared"),
+            E::Mismatch { at, .. } => d("OR0203", at, "cannot be compared").help(Some(
+                "compare numbers with numbers, an option with its choices, and booleans with `==` or `!=`"
+                    .into(),
+            )),
             E::UnknownChoice { choices, nearest, at, .. } => d("OR0204", at, "not a choice")
                 .help(did_you_mean(nearest).or_else(|| Some(format!("choose {choices}")))),
             E::NotBool { at, .. } => {
                 d("OR0205", at, "not a condition").help(Some("compare it with something".into()))
             }
             E::Include { error, at, nearest } => {
-                let mut d = d("OR0301", at, "");
+                let label = match &error {
+                    SourceError::NotFound { .. } => "not found",
+                    SourceError::Path { .. } => "not allowed",
+                    SourceError::TooLarge { .. } => "too large",
+                    SourceError::NotText { .. } | SourceError::Unreadable { .. } => "cannot be read",
+                };
+                let mut d = d("OR0301", at, label);
                 if let SourceError::NotFound { tried, .. } = error {
                     d = d.notes(tried.iter().map(|place| format!("looked for {place}")));
                 }

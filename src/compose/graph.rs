@@ -21,6 +21,9 @@ const MAX_INSTANCES: usize = 65_536;
 /// How many MiB all instances may hold together.
 const MAX_MIB: usize = 256;
 
+/// After how many faults the walk ends: each missing file costs a search for the nearest name.
+const MAX_ERRORS: usize = 100;
+
 /// A file that was read.
 pub(super) struct Loaded {
     pub(super) source: Source,
@@ -89,6 +92,9 @@ impl Graph {
                     Ok(Err(source)) => self.load(source, cache, files, errors),
                     Err(error) => {
                         errors.push(error);
+                        if errors.len() >= MAX_ERRORS {
+                            return root; // a whole library is missing: more of the same would say nothing
+                        }
                         continue;
                     }
                 };
@@ -164,7 +170,9 @@ impl Graph {
         let next = self.instances.len();
         let index = *self.by_prefix.entry((loaded, prefix.clone())).or_insert(next);
         if index == next {
-            self.bytes += self.loaded[loaded].fragment.text.len();
+            // Every name may carry the prefix, and prefixes grow with depth.
+            let fragment = &self.loaded[loaded].fragment;
+            self.bytes += fragment.text.len() + prefix.len() * (fragment.tokens.len() / 2 + 1);
             self.instances.push(Instance { loaded, prefix, parent, includes: Vec::new(), renamed: None });
         }
         (index, index == next)

@@ -21,6 +21,8 @@ pub use names::UNIFORM;
 
 use std::sync::Arc;
 
+use rustc_hash::{FxHashMap, FxHashSet};
+
 use crate::diagnostic::{Diagnostic, Error};
 use crate::preset::{self, Declarations, Preset, Scene, Settings};
 use crate::source::{self, FileId, Files, Library, Source, SourceError};
@@ -220,6 +222,7 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         .into_iter()
         .map(|(instance, slot)| OpenSlot { slot: slot.clone(), at: (graph.file(instance), slot.name.span) })
         .collect();
+    let before = errors.len();
     let mut result = parts(false, &mut errors);
     // A lone file with nothing before it keeps its directives where they are.
     let reads = kept.parameters.iter().chain(&kept.options).any(|read| *read);
@@ -228,15 +231,13 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         active.module.declarations.iter().any(|declaration| emit::is_directive(declaration.kind))
     });
     if (result.len() > 1 || reads || !slots.is_empty()) && directives.next().is_some() {
-        errors.clear(); // found again
+        errors.truncate(before); // what `parts` found, it finds again
         result = parts(true, &mut errors);
         hoisted = hoist(&names, &kept, &mut errors);
     }
-    let mut all = errors;
-    if !all.is_empty() {
-        all.dedup_by_key(|error| error.to_string());
+    if !errors.is_empty() {
         drop(names);
-        return Err(fail(all, survey.files));
+        return Err(fail(errors, survey.files));
     }
     let parameters = survey.declarations.parameters.iter().enumerate().map(|(index, declared)| Parameter {
         decl: declared.decl.clone(),
@@ -266,7 +267,14 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
 }
 
 fn fail(errors: impl IntoIterator<Item = ComposeError>, files: impl Into<Arc<Files>>) -> Error {
-    Error::new(errors.into_iter().map(Diagnostic::from).collect(), files)
+    // Every instance of a fragment has its faults; each place is told once.
+    let mut told = FxHashSet::default();
+    let diagnostics = errors.into_iter().map(Diagnostic::from);
+    let once = diagnostics.filter(|diagnostic| {
+        let place = diagnostic.labels.first().map(|label| (label.file, label.span));
+        told.insert((diagnostic.code, diagnostic.message.clone(), place))
+    });
+    Error::new(once.collect(), files)
 }
 
 /// The scene's own text.
@@ -335,6 +343,7 @@ fn part(graph: &Graph, active: &Active<'_>, pieces: Vec<Piece>) -> Part {
 /// `enable`, `requires` and `diagnostic` of all that is in: each once.
 fn hoist(names: &Names<'_>, kept: &shake::Kept, errors: &mut Vec<ComposeError>) -> Vec<Hoisted> {
     let mut hoisted: Vec<Hoisted> = Vec::new();
+    let mut by_rule: FxHashMap<String, usize> = FxHashMap::default();
     for instance in names.order {
         let Some(active) = &names.active[*instance] else { continue };
         let is_root = names.graph.roots.contains(instance);
@@ -349,8 +358,8 @@ fn hoist(names: &Names<'_>, kept: &shake::Kept, errors: &mut Vec<ComposeError>) 
                 .trim()
                 .into();
             let new = Hoisted { instance: *instance, span: declaration.span, kind: declaration.kind, body };
-            let twin = hoisted.iter().find(|known| known.kind == new.kind && same_rule(known, &new));
-            match twin {
+            let twin = *by_rule.entry(subject(&new)).or_insert(hoisted.len());
+            match hoisted.get(twin) {
                 None => hoisted.push(new),
                 Some(known) if plain(&known.body) != plain(&new.body) => {
                     let value = |body: &str| {
@@ -379,11 +388,11 @@ fn plain(body: &str) -> String {
     body.chars().filter(|c| !c.is_whitespace()).collect()
 }
 
-/// Two directives say something about the same thing.
-fn same_rule(a: &Hoisted, b: &Hoisted) -> bool {
-    let (a_body, b_body) = (plain(&a.body), plain(&b.body));
-    if a.kind != DeclarationKind::Diagnostic {
-        return a_body == b_body;
+/// What a directive says something about: there is one of each.
+fn subject(directive: &Hoisted) -> String {
+    let body = plain(&directive.body);
+    match (directive.kind, body.split_once(',')) {
+        (DeclarationKind::Diagnostic, Some((_, rule))) => format!("diagnostic {rule}"),
+        (kind, _) => format!("{kind:?} {body}"),
     }
-    a_body.split_once(',').map(|(_, rule)| rule) == b_body.split_once(',').map(|(_, rule)| rule)
 }

@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::error::{At, ComposeError};
 use super::graph::Graph;
@@ -63,6 +63,10 @@ pub(super) struct Names<'a> {
     table: FxHashMap<Cow<'a, str>, Global>,
     /// By instance: what fills its slots.
     slots: FxHashMap<u32, FxHashMap<String, Meaning>>,
+    /// By loaded file: which of its directives are slots.
+    slots_in: Vec<Vec<usize>>,
+    /// The slots of roots, which nobody fills.
+    open: FxHashSet<(usize, &'a str)>,
 }
 
 impl<'a> Names<'a> {
@@ -76,7 +80,16 @@ impl<'a> Names<'a> {
     ) -> Self {
         let count = active.iter().flatten().map(|active| active.module.declarations.len()).sum();
         let table = FxHashMap::with_capacity_and_hasher(count, Default::default());
-        let mut names = Self { graph, declarations, active, order, table, slots: FxHashMap::default() };
+        let slots_in = graph.loaded.iter().map(|loaded| {
+            let placed = loaded.fragment.directives.iter().enumerate();
+            let slots = placed.filter(|(_, p)| matches!(p.directive.kind, DirectiveKind::Slot(_)));
+            slots.map(|(index, _)| index).collect()
+        });
+        let slots_in = slots_in.collect();
+        let (slots, open) = (FxHashMap::default(), FxHashSet::default());
+        let mut names = Self { graph, declarations, active, order, table, slots, slots_in, open };
+        names.open =
+            names.open_slots().into_iter().map(|(root, slot)| (root, slot.name.value.as_str())).collect();
         for instance in order {
             names.declare(*instance, errors);
         }
@@ -118,6 +131,19 @@ impl<'a> Names<'a> {
     /// What the host sees of a parameter, `group_name`, is a name of module scope too.
     fn check_flat_names(&self, errors: &mut Vec<ComposeError>) {
         const HELP: &str = "the host sees the parameter under this name; rename one of the two";
+        const IN_GROUP: &str =
+            "parameters are read as `group.name`, and this is the name of a group; rename one";
+        let in_group = self.declarations.parameters.iter().map(|p| (&p.decl.key.group, (p.file, p.span)));
+        let also = self.declarations.options.iter().map(|o| (&o.decl.key.group, (o.file, o.span)));
+        let mut groups = FxHashSet::default();
+        for (group, first) in in_group.chain(also) {
+            if groups.insert(group)
+                && let Some(global) = self.table.get(group.as_str())
+            {
+                let (name, at) = (group.clone(), self.place(*global));
+                errors.push(ComposeError::Duplicate { name, at, first, help: IN_GROUP });
+            }
+        }
         let mut flat: FxHashMap<String, At> = FxHashMap::default();
         let parameters = self.declarations.parameters.iter().map(|p| (p.decl.key.flat(), (p.file, p.span)));
         let options = self.declarations.options.iter().map(|o| (o.decl.key.flat(), (o.file, o.span)));
@@ -182,10 +208,11 @@ impl<'a> Names<'a> {
 
     fn slots_of(&self, instance: usize) -> Vec<&'a Slot> {
         let Some(active) = &self.active[instance] else { return Vec::new() };
-        let placed = self.graph.fragment(instance).directives.iter().zip(active.directives);
-        placed
-            .filter(|(_, active)| **active)
-            .filter_map(|(placed, _)| match &placed.directive.kind {
+        let directives = &self.graph.fragment(instance).directives;
+        let in_fragment = self.slots_in[self.graph.instances[instance].loaded].iter();
+        in_fragment
+            .filter(|index| active.directives[**index])
+            .filter_map(|index| match &directives[*index].directive.kind {
                 DirectiveKind::Slot(slot) => Some(slot),
                 _ => None,
             })
@@ -352,9 +379,7 @@ impl<'a> Names<'a> {
         if let Some(knob) = self.declarations.find(name) {
             return Meaning::Knob(knob);
         }
-        if self.graph.instances[instance].parent.is_none()
-            && self.slots_of(instance).iter().any(|slot| slot.name.value == name)
-        {
+        if self.open.contains(&(instance, name)) {
             return Meaning::OpenSlot;
         }
         Meaning::Foreign

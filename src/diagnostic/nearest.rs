@@ -2,8 +2,8 @@
 
 /// The candidate nearest to `name`, if one is near enough to be worth naming: at most a third of its letters wrong.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<String> {
-    if name.len() > 200 {
-        return None; // the distance is quadratic, and no such name was mistyped
+    if name.is_empty() || name.len() > 200 {
+        return None; // nothing is near to nothing; the distance is quadratic, and no such name was mistyped
     }
     let far = name.chars().count().max(3) / 3 + 1;
     candidates

@@ -98,7 +98,7 @@ pub enum PresetErrorKind {
         chain: Vec<String>,
     },
     /// `OR0511`
-    #[error("`{what}` is too large for `{ty}`")]
+    #[error("`{what}` does not fit in `{ty}`")]
     TooLarge {
         /// The number.
         what: String,
@@ -113,6 +113,15 @@ pub enum PresetErrorKind {
         /// What there is.
         help: Option<String>,
     },
+}
+
+impl PresetErrorKind {
+    /// Counts the file of the declaration on by `offset`.
+    pub(crate) fn shift_declared(&mut self, offset: u32) {
+        if let Self::Range { declared, .. } | Self::Choice { declared, .. } = self {
+            declared.0 = FileId(declared.0.0 + offset);
+        }
+    }
 }
 
 impl From<PresetError> for Diagnostic {
@@ -140,7 +149,7 @@ impl From<PresetError> for Diagnostic {
             K::Version { .. } => {
                 at(d("OR0504"), "not 1").help(Some("update orogen, or write `\"orogen\": 1`".into()))
             }
-            K::NoVersion => at(d("OR0505"), "").help(Some("add `\"orogen\": 1`".into())),
+            K::NoVersion => at(d("OR0505"), "in this object").help(Some("add `\"orogen\": 1`".into())),
             K::Type { .. } => at(d("OR0506"), "wrong type"),
             K::Unknown { nearest, .. } => at(d("OR0507"), "unknown").help(
                 did_you_mean(nearest).or_else(|| Some("`orogen params` lists what the scene has".into())),
@@ -155,8 +164,12 @@ impl From<PresetError> for Diagnostic {
                 .and(declared.0, declared.1, "declared here")
                 .help(did_you_mean(nearest).or_else(|| Some(format!("choose {choices}")))),
             K::Cycle { .. } => at(d("OR0510"), "leads back"),
-            K::TooLarge { .. } => at(d("OR0511"), "too large"),
-            K::NotFound { help, .. } => at(d("OR0512"), "").help(help.clone()),
+            K::TooLarge { ty, .. } => at(d("OR0511"), "does not fit").help(Some(match *ty {
+                "i32" => "a whole number from -2147483648 to 2147483647 does".into(),
+                "u32" => "a whole number from 0 to 4294967295 does".into(),
+                _ => "a number from -3.4e38 to 3.4e38 does".into(),
+            })),
+            K::NotFound { help, .. } => at(d("OR0512"), "extended here").help(help.clone()),
         }
     }
 }

@@ -60,12 +60,17 @@ pub(crate) fn parse(text: &str) -> Result<Json, JsonError> {
 }
 
 fn syntax(text: &str, error: &serde_json::Error) -> JsonError {
-    let message = error.to_string();
-    let why = message.split(" at line ").next().unwrap_or(&message).to_owned();
+    let why = without_place(error);
     let line: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
     let at = text.floor_char_boundary((line + error.column().saturating_sub(1)).min(text.len()));
     let end = text[at..].chars().next().map_or(at, |c| at + c.len_utf8());
     JsonError { why, span: Span::new(at, end) }
+}
+
+/// What is wrong, without the line and column, which count from the start of the piece.
+fn without_place(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    message.split(" at line ").next().unwrap_or(&message).to_owned()
 }
 
 fn place(text: &str, piece: &str) -> Span {
@@ -76,7 +81,7 @@ fn place(text: &str, piece: &str) -> Span {
 fn read(text: &str, raw: &RawValue, depth: usize) -> Result<Json, JsonError> {
     let piece = raw.get();
     let span = place(text, piece);
-    let wrong = |error: serde_json::Error| JsonError { why: error.to_string(), span };
+    let wrong = |error: serde_json::Error| JsonError { why: without_place(&error), span };
     if depth > MAX_DEPTH {
         return Err(JsonError { why: format!("nested deeper than {MAX_DEPTH} levels"), span });
     }

@@ -97,7 +97,8 @@ impl Preset {
         let mut files = Files::default();
         let file = files.add("command line", path);
         let span = Span::new(0, path.len());
-        let name = source::folder(path).rsplit('/').next().filter(|name| !name.is_empty()).unwrap_or(path);
+        let name = path.rsplit('/').next().unwrap_or(path);
+        let name = name.strip_suffix(".wgsl").unwrap_or(name);
         let mut preset =
             Self::empty(name.into(), Scene::Named { path: path.into(), beside: None, file, span });
         preset.files = files;
@@ -138,17 +139,20 @@ impl Preset {
         let file = self.files.add("--set", assignment);
         let wrong = |span: Span, why: &str| {
             let diagnostic = Diagnostic::error("OR0514", why)
-                .at(file, span, "")
+                .at(file, span, "in this setting")
                 .help(Some("write `--set group.name=value`, as in `--set sun.azimuth=215`".into()));
             Err(Error::new(vec![diagnostic], self.files.clone()))
         };
         let whole = Span::new(0, assignment.len());
         let Some((name, value)) = assignment.split_once('=') else {
-            return wrong(whole, "there is no `=` in this setting");
+            return wrong(whole, "there is no `=`");
         };
         let (group, own) = name.trim().rsplit_once('.').unwrap_or(("", name.trim()));
         if own.is_empty() {
             return wrong(whole, "there is no name before the `=`");
+        }
+        if value.trim().is_empty() {
+            return wrong(whole, "there is no value after the `=`");
         }
         let start = name.len() + 1;
         let span = Span::new(start, assignment.len());
@@ -212,7 +216,8 @@ impl Reader {
     ) -> Result<Preset, Error> {
         let mut levels = Vec::new();
         let mut chain = vec![identity(&name, path)];
-        let mut names = vec![name.clone()];
+        let own = path.and_then(|path| path.file_name()?.to_str()).unwrap_or(&name);
+        let mut names = vec![own.to_owned()];
         let (mut shown, mut text, mut path) = (shown, text, path.map(Path::to_owned));
         loop {
             let level = self.level(&shown, text, path.as_deref());
@@ -261,7 +266,7 @@ impl Reader {
                 return level;
             }
         };
-        let start = Span::new(0, usize::from(!text.is_empty()));
+        let start = Span { start: root.span.start, end: root.span.start + 1 };
         let Some(pairs) = self.object(&root, file, "") else { return level };
         let mut version = false;
         for (key, value) in pairs {
@@ -397,11 +402,10 @@ fn locate(base: &str, from: Option<&Path>) -> Result<Located, (String, Option<St
         let Some(from) = from else {
             return Err((format!("`{base}` cannot be read from here"), None));
         };
-        source::join("", base).map_err(|why| (format!("`{base}`: {why}"), None))?;
-        let path = from.parent().unwrap_or(Path::new("")).join(base);
-        let shown = path.display().to_string();
-        let text = source::read_text(&path, &shown).map_err(|why| (why.to_string(), None))?;
-        return Ok((shown, text, Some(path)));
+        let folder = from.parent().unwrap_or(Path::new(""));
+        let inside = source::join("", base).map_err(|why| (format!("`{base}`: {why}"), None))?;
+        let found = source::Source::file_in(folder, &inside).map_err(|why| (why.to_string(), None))?;
+        return Ok((found.name.to_string(), found.text, Some(folder.join(inside))));
     }
     match source::preset_text(base) {
         Some(text) => Ok((format!("presets/{base}.json"), text.into(), None)),

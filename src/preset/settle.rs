@@ -150,7 +150,10 @@ fn parameter(declared: &Declared<ParamDecl>, json: &Json) -> Result<Value, Fault
         (Type::U32, JsonKind::Number(number)) => Value::U32(whole(number, "u32", json)?),
         (Type::F32, JsonKind::Number(_)) => Value::F32(float(json)?),
         (ty, JsonKind::String(text)) if decl.color && text.starts_with('#') => {
-            color(ty, text).ok_or_else(|| expected(color_forms(ty), json))?
+            color(ty, text).ok_or_else(|| {
+                let found = format!("`{text}`");
+                (PresetErrorKind::Type { expected: color_forms(ty).into(), found }, json.span)
+            })?
         }
         (ty, JsonKind::Array(items)) if ty.components() > 1 => {
             let floats = items.iter().map(float).collect::<Result<Vec<_>, _>>()?;

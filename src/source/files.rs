@@ -41,6 +41,13 @@ impl Files {
         id
     }
 
+    /// Takes all texts of `other` in; the number of each grows by what comes back.
+    pub(crate) fn append(&mut self, other: &Self) -> u32 {
+        let offset = self.files.len() as u32;
+        self.files.extend(other.files.iter().cloned());
+        offset
+    }
+
     /// The text numbered `id`.
     pub fn get(&self, id: FileId) -> &File {
         &self.files[id.0 as usize]

@@ -208,6 +208,8 @@ impl Library {
                 return Ok(source);
             }
         }
+        let mut seen = BTreeSet::new();
+        tried.retain(|place| seen.insert(place.clone())); // beside the file may be the root
         Err(SourceError::NotFound { path: path.into(), tried })
     }
 

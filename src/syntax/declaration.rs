@@ -307,10 +307,16 @@ impl<'a> Splitter<'a> {
         if self.close_at_line_end && at >= self.piece_start {
             self.end_chunk(at);
         }
-        if at > self.piece_start {
-            self.module.pieces.push(Span { start: self.piece_start, end: at });
-        }
+        self.keep_until(at);
         self.piece_start = at;
+    }
+
+    fn keep_until(&mut self, at: u32) {
+        if at > self.piece_start {
+            let piece = Span { start: self.piece_start, end: at };
+            self.after_blank_line = ends_with_blank_line(&self.text[piece.range()]);
+            self.module.pieces.push(piece);
+        }
     }
 
     /// Takes `removed` out, and with it a blank line that would be left over.
@@ -321,11 +327,8 @@ impl<'a> Splitter<'a> {
             self.piece_start = removed.end;
             return;
         }
-        if text_since {
-            self.after_blank_line = ends_with_blank_line(&self.text[..removed.start as usize]);
-            if self.module.declarations.is_empty() && self.module.head.is_empty() {
-                self.end_head();
-            }
+        if text_since && self.module.declarations.is_empty() && self.module.head.is_empty() {
+            self.end_head();
         }
         let mut end = removed.end as usize;
         if self.after_blank_line {
@@ -346,9 +349,7 @@ impl<'a> Splitter<'a> {
     }
 
     fn end_chunk(&mut self, at: u32) {
-        if at > self.piece_start {
-            self.module.pieces.push(Span { start: self.piece_start, end: at });
-        }
+        self.keep_until(at);
         self.piece_start = at;
         let pieces = self.first_piece..self.module.pieces.len();
         self.first_piece = pieces.end;
@@ -397,7 +398,7 @@ impl<'a> Splitter<'a> {
             && self.module.head.is_empty()
             && self.module.pieces.is_empty()
             && span.start > 0
-            && ends_with_blank_line(piece)
+            && ends_with_blank_line(&self.text[..span.end as usize])
         {
             self.cut_open(span.end);
             self.end_head();
@@ -450,9 +451,7 @@ impl<'a> Splitter<'a> {
         if self.close_at_line_end {
             self.end_chunk(end);
         }
-        if end > self.piece_start {
-            self.module.pieces.push(Span { start: self.piece_start, end });
-        }
+        self.keep_until(end);
         self.module.tail = self.first_piece..self.module.pieces.len();
         self.module
     }

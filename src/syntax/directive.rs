@@ -175,7 +175,13 @@ pub fn parse_directive(line: &str, base: usize, doc: &str) -> Result<Directive, 
     let (kind, usage) = match name.value {
         "include" => {
             const USAGE: &str = "#include <path> [as NAME] [with slot = function, …]";
-            (DirectiveKind::Include(include(c).map_err(syntax(USAGE))?), USAGE)
+            let include = include(c).map_err(syntax(USAGE))?;
+            let mut filled = std::collections::BTreeSet::new();
+            if let Some((slot, _)) = include.with.iter().find(|(slot, _)| !filled.insert(&slot.value)) {
+                let why = format!("the slot `{}` is filled twice", slot.value);
+                return Err(DirectiveError::Value { why, span: slot.span });
+            }
+            (DirectiveKind::Include(include), USAGE)
         }
         "param" => {
             const USAGE: &str =

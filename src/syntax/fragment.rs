@@ -56,6 +56,7 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
     let text = fragment.text.clone();
     // What has come since the last token that was neither blank nor a `///` line: the doc comment of a directive.
     let mut doc: Option<(u32, String)> = None;
+    let mut broken_condition = false;
     for token in 0..fragment.tokens.len() {
         let span = fragment.tokens.span(token);
         let piece = &text[span.range()];
@@ -85,7 +86,11 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
                         let end = after_line_break(&text, span.end as usize);
                         fragment.place(directive, token, Span { start, end: end as u32 });
                     }
-                    Err(error) => fragment.errors.push(error),
+                    Err(error) => {
+                        let name = piece[1..].trim_start();
+                        broken_condition |= name.starts_with("if") || name.starts_with("el");
+                        fragment.errors.push(error);
+                    }
                 }
             }
             kind => {
@@ -100,7 +105,9 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
             }
         }
     }
-    fragment.check_nesting();
+    if !broken_condition {
+        fragment.check_nesting(); // else every `#endif` of a misspelt `#if` would be a fault too
+    }
     fragment
 }
 

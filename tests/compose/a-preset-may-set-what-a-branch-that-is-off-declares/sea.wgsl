@@ -1,0 +1,1 @@
+#param sea.level: f32 = 0.0, unit m

@@ -1,0 +1,4 @@
+/// Size.
+#param frame.resolution: vec2f = (960, 540), live, unit px
+#param frame.time: f32 = 0.0, live, unit s
+#param frame.jitter: vec2f = (0, 0), live, unit px

@@ -1,0 +1,2 @@
+#include <frame.wgsl>
+fn lib() -> f32 { return frame.time; }

@@ -1,0 +1,4 @@
+#include <lib.wgsl>
+@fragment fn main() -> @location(0) vec4f {
+    return vec4f(S(1.0).x + g());
+}

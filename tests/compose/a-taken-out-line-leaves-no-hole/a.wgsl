@@ -1,0 +1,7 @@
+
+
+fn a() -> f32 { return 1.0; }
+
+
+
+fn b() -> f32 { return 1.0; }

@@ -1,0 +1,2 @@
+#include <shared.wgsl>
+fn a() -> f32 { return shared_value(); }

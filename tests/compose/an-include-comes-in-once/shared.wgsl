@@ -1,0 +1,1 @@
+fn shared_value() -> f32 { return 0.25; }

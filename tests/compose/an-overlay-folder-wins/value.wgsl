@@ -1,0 +1,1 @@
+fn value() -> f32 { return 0.0; } // below

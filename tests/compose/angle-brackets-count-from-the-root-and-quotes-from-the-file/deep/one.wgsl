@@ -1,0 +1,3 @@
+#include "two.wgsl"
+#include "../top.wgsl"
+fn one() -> f32 { return two() + top(); }

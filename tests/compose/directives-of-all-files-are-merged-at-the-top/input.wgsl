@@ -1,0 +1,7 @@
+requires readonly_and_readwrite_storage_textures;
+diagnostic(off, derivative_uniformity);
+#include <a.wgsl>
+
+@fragment fn main() -> @location(0) vec4f {
+    return vec4f(a());
+}

@@ -1,0 +1,9 @@
+// ---- options ----
+const quality: i32 = 3;
+
+// ---- input.wgsl ----
+fn a(quality_like: i32) -> i32 { return quality * quality_like; }
+
+@fragment fn main() -> @location(0) vec4f {
+    return vec4f(f32(a(quality)));
+}

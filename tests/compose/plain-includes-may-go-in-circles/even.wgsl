@@ -1,0 +1,2 @@
+#include <odd.wgsl>
+const EVEN = 2 * HALF;

@@ -1,0 +1,5 @@
+#include <even.wgsl>
+
+@fragment fn main() -> @location(0) vec4f {
+    return vec4f(f32(EVEN));
+}

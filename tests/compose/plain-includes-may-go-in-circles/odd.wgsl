@@ -1,0 +1,4 @@
+#include <even.wgsl>
+#include <odd.wgsl>
+const HALF = 3;
+const WHOLE = EVEN;

@@ -1,0 +1,2 @@
+#include "lib/two.wgsl"
+fn one() -> f32 { return two(); }

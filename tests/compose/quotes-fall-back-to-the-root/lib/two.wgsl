@@ -1,0 +1,1 @@
+fn two() -> f32 { return 0.5; }

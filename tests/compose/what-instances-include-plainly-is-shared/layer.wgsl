@@ -1,0 +1,2 @@
+#include <hash.wgsl>
+fn density() -> f32 { return hash(); }

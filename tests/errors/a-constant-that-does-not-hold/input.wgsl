@@ -1,0 +1,2 @@
+const A = 1;
+const_assert A == 2;

@@ -1,0 +1,6 @@
+diagnostic(off, derivative_uniformity);
+#include <a.wgsl>
+#param sun.power: f32 = 1.0
+@fragment fn main() -> @location(0) vec4f {
+    return vec4f(sun.powr + twice());
+}

@@ -1,0 +1,1 @@
+#include <large.wgsl>

@@ -1,0 +1,3 @@
+#include "tow.wgsl"
+#include <b/tow.wgsl>
+#include <b/tow.wgsl> as again

@@ -1,0 +1,1 @@
+const TWO = 2;

@@ -1,0 +1,3 @@
+#include <sun.wgsl>
+#param sun.power: f32 = 1.0
+#option sun.power = true

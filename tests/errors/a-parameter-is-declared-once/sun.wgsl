@@ -1,0 +1,1 @@
+#param sun.power: f32 = 2.0

@@ -1,0 +1,3 @@
+#include <sun.wgsl>
+#if sun.elevation > 10
+#endif

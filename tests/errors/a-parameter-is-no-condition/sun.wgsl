@@ -1,0 +1,1 @@
+#param sun.elevation: f32 = 18.0

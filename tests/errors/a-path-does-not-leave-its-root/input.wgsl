@@ -1,0 +1,8 @@
+#include <../../etc/passwd>
+#include "../../etc/passwd"
+#include </etc/passwd>
+#include "/etc/passwd"
+#include <a/../../b.wgsl>
+#include <c:\windows>
+#include <>
+#include "."

@@ -1,0 +1,3 @@
+fn f() -> f32 {
+    return vec2f(1.0);
+}

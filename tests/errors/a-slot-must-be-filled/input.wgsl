@@ -1,0 +1,1 @@
+#include <fbm.wgsl> as relief

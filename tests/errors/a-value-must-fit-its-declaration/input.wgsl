@@ -1,0 +1,16 @@
+#param a.a: vec3f = (1.0, 2.0)
+#param a.b: f32 = 1e39
+#param a.c: u32 = -1
+#param a.d: i32 = 3000000000
+#param a.e: f32 = 9.0, range 0 .. 8
+#param a.f: f32 = 9.0, range 8 .. 0
+#param a.g: bool = true, range 0 .. 1
+#param a.h: f32 = 1.0, color
+#param a.i: i32 = 90, unit deg
+#option a.j = medium { low, high }
+#option a.k = low { low, low }
+#option a.l = 20, range 1 .. 16
+#option a.m = 5, range 0.5 .. 9
+#option a.n = 1e3
+#param a.o: vec2f = (0.5, 2.0), range 0 .. 1
+#param a.p: i32 = 1.5

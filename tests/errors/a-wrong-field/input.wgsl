@@ -1,0 +1,2 @@
+struct Hit { distance: f32 }
+fn f(hit: Hit) -> f32 { return hit.distanse; }

@@ -1,0 +1,1 @@
+#include <mixed.wgsl> as my

@@ -1,0 +1,3 @@
+#include <shared.wgsl>
+
+fn a() -> f32 { return shared_noise(); }

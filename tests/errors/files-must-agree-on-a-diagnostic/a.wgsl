@@ -1,0 +1,2 @@
+diagnostic(error, derivative_uniformity);
+fn a() -> f32 { return 1.0; }

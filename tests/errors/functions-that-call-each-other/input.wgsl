@@ -1,0 +1,2 @@
+fn a() -> f32 { return b(); }
+fn b() -> f32 { return a(); }
