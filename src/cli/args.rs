@@ -31,8 +31,8 @@ pub(super) struct Arguments {
 #[derive(Args)]
 pub(super) struct Common {
     /// Lay a folder of fragments over the library (repeatable; the last one wins)
-    #[arg(short = 'I', value_name = "DIR", global = true)]
-    pub(super) include: Vec<PathBuf>,
+    #[arg(short = 'I', id = "folders", value_name = "DIR", global = true)]
+    pub(super) folders: Vec<PathBuf>,
     /// Set a parameter or an option over the preset's value (repeatable)
     #[arg(long, value_name = "GROUP.NAME=VALUE", global = true)]
     pub(super) set: Vec<String>,

@@ -9,7 +9,7 @@ use super::failure::Failure;
 
 /// The library, with the folders of `-I` over it.
 pub(super) fn library(common: &Common) -> Result<Library, Failure> {
-    common.include.iter().try_fold(Library::standard(), |library, folder| {
+    common.folders.iter().try_fold(Library::standard(), |library, folder| {
         library.with_folder(folder).map_err(|why| Failure::Usage(format!("-I: {why}")))
     })
 }
