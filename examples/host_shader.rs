@@ -2,6 +2,8 @@
 //!
 //! `cargo run --example host_shader` needs a GPU adapter; a software one (lavapipe) will do.
 
+#![allow(clippy::print_stdout, reason = "an example shows what it does")]
+
 use orogen::{Bake, Library, Preset};
 use wgpu::util::DeviceExt;
 
@@ -60,7 +62,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     device.poll(wgpu::PollType::wait_indefinitely())?;
 
     let bytes = readback.slice(..).get_mapped_range()?;
-    let numbers: Vec<f32> = bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
+    let numbers: Vec<f32> =
+        bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect();
     let heights = || numbers.iter().step_by(2).copied();
     let (low, high) = (heights().fold(f32::MAX, f32::min), heights().fold(f32::MIN, f32::max));
     for row in numbers.chunks(COLUMNS * 2) {

@@ -49,7 +49,8 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 fn help_teaches_every_command() {
     let help = orogen(&["--help"]);
     assert_eq!(status(&help), 0);
-    for word in ["export", "check", "render", "params", "list", "eval", "Exit status", "orogen export alpine"] {
+    for word in ["export", "check", "render", "params", "list", "eval", "Exit status", "orogen export alpine"]
+    {
         assert!(out(&help).contains(word), "{word}");
     }
     for command in ["export", "check", "render", "params", "list", "eval"] {
@@ -91,7 +92,11 @@ fn what_makes_no_sense_exits_with_2() {
 fn wrong_input_exits_with_1_and_says_why() {
     let folder = folder();
     let broken = put(&folder, "broken.wgsl", "fn main() -> f32 { return nothing; }\n");
-    let preset = put(&folder, "preset.json", "{\"orogen\": 1, \"extends\": \"alpine\", \"set\": {\"sun\": {\"azimut\": 3}}}");
+    let preset = put(
+        &folder,
+        "preset.json",
+        "{\"orogen\": 1, \"extends\": \"alpine\", \"set\": {\"sun\": {\"azimut\": 3}}}",
+    );
     for (arguments, says) in [
         (&["export", "alpin"] as &[&str], "did you mean `alpine`?"),
         (&["export", "no/such.wgsl"], "was not found"),
@@ -215,7 +220,8 @@ fn lists_are_a_name_a_tab_and_what_it_is() {
 #[test]
 fn params_come_in_four_forms() {
     let table = out(&orogen(&["params", "alpine", "--set", "sun.elevation=6"]));
-    let line = table.lines().find(|line| line.starts_with("sun.elevation ")).expect("the sun has an elevation");
+    let line =
+        table.lines().find(|line| line.starts_with("sun.elevation ")).expect("the sun has an elevation");
     assert!(line.contains("f32") && line.contains(" 6 ") && line.contains("-90 .. 90 deg"), "{line}");
     assert!(out(&orogen(&["params", "alpine", "--format", "markdown"])).starts_with("| name |"));
     for format in ["json", "schema"] {
@@ -238,7 +244,11 @@ fn a_folder_over_the_library_wins() {
 #[test]
 fn a_template_of_ones_own_changes_the_look() {
     let folder = folder();
-    put(&folder, "wgsl.jinja", "// Mine: {{ name }}\n{% for module in modules %}{{ module.lines[0] }}{% endfor %}");
+    put(
+        &folder,
+        "wgsl.jinja",
+        "// Mine: {{ name }}\n{% for module in modules %}{{ module.lines[0] }}{% endfor %}",
+    );
     let source = put(&folder, "one.wgsl", "const one = 1;\n");
     let dir = folder.path().display().to_string();
     let output = orogen(&["export", &source, "--templates", &dir]);
@@ -251,7 +261,8 @@ fn a_template_of_ones_own_changes_the_look() {
 
 #[test]
 fn a_reader_that_has_had_enough_is_no_failure() {
-    let mut child = command(&["export", "alpine"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+    let mut child =
+        command(&["export", "alpine"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
     drop(child.stdout.take()); // as `| head -0` does
     let output = child.wait_with_output().expect("it ends");
     assert_eq!(status(&output), 0, "{}", err(&output));
@@ -277,7 +288,8 @@ fn eval_reads_points_and_writes_csv() {
     assert_eq!(out(&output), "value\n3705032704\n14\n", "integers wrap");
 
     assert_eq!(out(&orogen(&["eval", "1.5 + 2.0"])), "value\n3.5\n");
-    let noise = orogen(&["eval", "perlin_noise2(p, 7u)", "--include", "<noise/perlin.wgsl>", "--points", &points]);
+    let noise =
+        orogen(&["eval", "perlin_noise2(p, 7u)", "--include", "<noise/perlin.wgsl>", "--points", &points]);
     assert_eq!(out(&noise).lines().count(), 3, "{}", err(&noise));
 }
 
@@ -313,10 +325,14 @@ fn render_writes_pictures_and_sequences() {
     assert_eq!(status(&output), 0, "{}", err(&output));
     let picture = image::open(path("ramp.png")).expect("it is a PNG").to_rgb8();
     assert_eq!(picture.dimensions(), (32, 16));
-    assert!(picture.get_pixel(31, 0)[1] > 240 && picture.get_pixel(31, 15)[1] < 16, "the origin is at the bottom");
+    assert!(
+        picture.get_pixel(31, 0)[1] > 240 && picture.get_pixel(31, 15)[1] < 16,
+        "the origin is at the bottom"
+    );
     let output = orogen(&["render", &scene, "--size", "8x8", "-o", &path("ramp.exr")]);
     assert_eq!(status(&output), 0, "{}", err(&output));
-    let output = orogen(&["render", &scene, "--size", "8x8", "--frames", "3", "--fps", "4", "-o", &path("seq.png")]);
+    let output =
+        orogen(&["render", &scene, "--size", "8x8", "--frames", "3", "--fps", "4", "-o", &path("seq.png")]);
     assert_eq!(status(&output), 0, "{}", err(&output));
     for (index, blue) in [(1, 0u8), (2, 64), (3, 128)] {
         let frame = image::open(path(&format!("seq_000{index}.png"))).expect("it is numbered").to_rgb8();

@@ -7,13 +7,15 @@ use orogen::{Compose, Library, Preset, compose};
 fn schema(preset: &Preset) -> jsonschema::Validator {
     let survey = Compose::default().survey(&Library::standard(), preset).expect("the scene is readable");
     let text = listing::schema(&survey.declarations, "the test's scene");
-    jsonschema::validator_for(&serde_json::from_str(&text).expect("the schema is JSON")).expect("it is a schema")
+    jsonschema::validator_for(&serde_json::from_str(&text).expect("the schema is JSON"))
+        .expect("it is a schema")
 }
 
 #[test]
 fn every_built_in_preset_is_accepted() {
     for name in orogen::source::preset_names() {
-        let text = std::fs::read_to_string(format!("presets/{name}.json")).expect("presets are in the repository");
+        let text =
+            std::fs::read_to_string(format!("presets/{name}.json")).expect("presets are in the repository");
         let json = serde_json::from_str(&text).expect("a preset is JSON");
         let schema = schema(&Preset::named(name).expect("it is built in"));
         let faults: Vec<_> = schema.iter_errors(&json).map(|error| error.to_string()).collect();

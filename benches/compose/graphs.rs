@@ -35,7 +35,8 @@ pub fn module(index: usize, functions: usize, includes: &[usize], salt: u32) -> 
             [] => "x * 0.5".to_owned(),
             some => format!("m{}_f{function}(x * 0.5, octaves)", some[function % some.len()]),
         };
-        let before = if function == 0 { "x".to_owned() } else { format!("m{index}_f{}(x, octaves)", function - 1) };
+        let before =
+            if function == 0 { "x".to_owned() } else { format!("m{index}_f{}(x, octaves)", function - 1) };
         text.push_str(&format!(
             "/// Value {function} of module {index} at `x`, in -1 .. 1.\n\
              fn m{index}_f{function}(x: f32, octaves: i32) -> f32 {{\n\

@@ -45,7 +45,8 @@ fn main() {
     }
     println!("\ncomposing, 400x20 against 100x20 (four times the text; bar 4.5):");
     for shape in ["Diamond", "Wide"] {
-        let time = |size| linear.iter().find(|(s, m, _)| format!("{s:?}") == shape && *m == size).map(|row| row.2);
+        let time =
+            |size| linear.iter().find(|(s, m, _)| format!("{s:?}") == shape && *m == size).map(|row| row.2);
         let (Some(small), Some(large)) = (time(100), time(400)) else { continue };
         let ratio = large / small;
         println!("  {shape:<10}{ratio:>6.2}{}", verdict(ratio <= 4.5));
@@ -73,7 +74,9 @@ fn measure(library: &Library, preset: &Preset, leaf: Option<(&str, usize, usize)
     for round in 0..ROUNDS {
         times[0].push(time(|| {
             let module = naga::front::wgsl::parse_str(&text).expect("it parses");
-            Validator::new(ValidationFlags::all(), check::capabilities()).validate(&module).expect("it is valid")
+            Validator::new(ValidationFlags::all(), check::capabilities())
+                .validate(&module)
+                .expect("it is valid")
         }));
         times[1].push(time(|| Compose::default().bake(library, preset, &bake).expect("it composes")));
         times[2].push(time(|| compose(library, preset, &bake).expect("it composes and is valid")));
@@ -126,4 +129,3 @@ fn median(mut times: Vec<Duration>) -> Option<f64> {
     times.sort();
     times.get(times.len() / 2).map(|time| time.as_secs_f64() * 1e3)
 }
-

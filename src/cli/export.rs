@@ -34,12 +34,14 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     let library = input::library(common)?;
     let preset = input::preset(&args.preset, common)?;
     let mut composer = input::composer(common)?;
-    composer.stage = target.stage(stage).map_err(|error| Failure::Usage(error.diagnostics()[0].message.clone()))?;
+    composer.stage =
+        target.stage(stage).map_err(|error| Failure::Usage(error.diagnostics()[0].message.clone()))?;
     composer.keep_unused = args.keep_unused;
     let shader = composer.run(&library, &preset, &target.bake(input::bake(&args.baking)))?;
     let bytes = export::export(&shader, target, &composer.templates)?;
     if args.source_map {
-        let name = args.output.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+        let name =
+            args.output.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
         let mut beside = args.output.clone().into_os_string();
         beside.push(".map");
         output::write(&PathBuf::from(beside), export::source_map(&shader, &name).as_bytes())?;

@@ -27,7 +27,8 @@ pub(super) fn write(path: &Path, bytes: &[u8]) -> Outcome {
     if path == Path::new("-") {
         return print(bytes);
     }
-    replace(path, bytes).map_err(|error| Failure::System(format!("`{}` cannot be written: {error}", path.display())))
+    replace(path, bytes)
+        .map_err(|error| Failure::System(format!("`{}` cannot be written: {error}", path.display())))
 }
 
 fn replace(path: &Path, bytes: &[u8]) -> std::io::Result<()> {

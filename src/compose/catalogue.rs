@@ -33,7 +33,8 @@ pub fn catalogue(library: &Library) -> Catalogue {
         for placed in &fragment.directives {
             if let DirectiveKind::Option(decl) = &placed.directive.kind {
                 let doc = decl.doc.split_whitespace().collect::<Vec<_>>().join(" ");
-                all.options.push((decl.key.to_string(), format!("{doc} {}", decl.possible()).trim().to_owned()));
+                all.options
+                    .push((decl.key.to_string(), format!("{doc} {}", decl.possible()).trim().to_owned()));
             }
         }
     }

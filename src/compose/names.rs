@@ -194,9 +194,9 @@ impl<'a> Names<'a> {
                     }
                     Some(first) => {
                         let known = self.slots.get(&(child as u32));
-                        let same = given.iter().all(|(slot, meaning)| {
-                            known.and_then(|known| known.get(slot)) == Some(meaning)
-                        });
+                        let same = given
+                            .iter()
+                            .all(|(slot, meaning)| known.and_then(|known| known.get(slot)) == Some(meaning));
                         if !same {
                             errors.push(self.conflict(includer, include, child, first));
                         }

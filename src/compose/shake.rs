@@ -29,7 +29,8 @@ impl Kept {
             let name =
                 names.active[instance].as_ref().map_or("", |active| active.module.name(active.text, symbol));
             let meaning = names.look_up(instance, name);
-            self.rewrites[instance] |= matches!(meaning, Meaning::Renamed(..) | Meaning::Group | Meaning::Knob(_));
+            self.rewrites[instance] |=
+                matches!(meaning, Meaning::Renamed(..) | Meaning::Group | Meaning::Knob(_));
             *slot = Some(meaning);
         }
         slot.clone().unwrap_or(Meaning::Foreign)

@@ -68,7 +68,8 @@ fn show(value: &Value) -> String {
 /// Columns aligned for a terminal, one name a line: key, type, value, range, what it is.
 pub fn table(declarations: &Declarations, settings: &Settings) -> String {
     let rows = rows(declarations, settings);
-    let width = |column: fn(&Row) -> &str| rows.iter().map(|row| column(row).chars().count()).max().unwrap_or(0);
+    let width =
+        |column: fn(&Row) -> &str| rows.iter().map(|row| column(row).chars().count()).max().unwrap_or(0);
     let widths = [width(|r| &r.key), width(|r| &r.kind), width(|r| &r.value), width(|r| &r.range)];
     let mut text = String::new();
     for row in &rows {
@@ -85,7 +86,8 @@ pub fn table(declarations: &Declarations, settings: &Settings) -> String {
 
 /// A Markdown table, one name a row.
 pub fn markdown(declarations: &Declarations, settings: &Settings) -> String {
-    let mut text = String::from("| name | type | value | range | what it is |\n| --- | --- | --- | --- | --- |\n");
+    let mut text =
+        String::from("| name | type | value | range | what it is |\n| --- | --- | --- | --- | --- |\n");
     let cell = |text: &str| text.replace('|', "\\|");
     for row in rows(declarations, settings) {
         let Row { key, kind, value, range, doc } = row;
@@ -212,7 +214,11 @@ fn parameter_schema(decl: &ParamDecl) -> Json {
         }
     };
     if decl.color {
-        let digits = if decl.ty == T::Vec4f { "^#([0-9a-fA-F]{3,4}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})$" } else { "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$" };
+        let digits = if decl.ty == T::Vec4f {
+            "^#([0-9a-fA-F]{3,4}|[0-9a-fA-F]{6}|[0-9a-fA-F]{8})$"
+        } else {
+            "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"
+        };
         schema = json!({ "anyOf": [schema, { "type": "string", "pattern": digits }] });
     }
     describe(&mut schema, &decl.doc, decl.unit.as_deref());
