@@ -6,7 +6,7 @@ use crate::compose::{self as stage, Cache, Request};
 use crate::diagnostic::Error;
 use crate::export::{Stage, entry_point};
 use crate::preset::{Declarations, Declared, Preset};
-use crate::source::{Library, Templates};
+use crate::source::{Library, Source, Templates};
 
 /// Composes `preset` out of `library`, puts its values in as `bake` says, and checks the result.
 ///
@@ -26,6 +26,8 @@ pub struct Compose {
     pub keep_unused: bool,
     /// What the result looks like.
     pub templates: Templates,
+    /// A fragment to be put in beside the scene; the scene gets no entry point then.
+    pub(crate) beside: Option<Source>,
     cache: Cache,
 }
 
@@ -70,8 +72,12 @@ impl Compose {
     }
 
     fn request<'a>(&self, preset: &'a Preset) -> Result<Request<'a>, Error> {
-        let wrapper = entry_point(self.stage, &self.templates)?;
-        Ok(Request { preset, wrapper: Some(wrapper), keep_unused: self.keep_unused })
+        let beside = self.beside.clone();
+        let wrapper = match beside {
+            None => Some(entry_point(self.stage, &self.templates)?),
+            Some(_) => None,
+        };
+        Ok(Request { preset, wrapper, beside, keep_unused: self.keep_unused })
     }
 }
 

@@ -23,6 +23,7 @@ pub(crate) fn render(templates: &Templates, name: &str, context: impl Serialize)
     if let Ok(syntax) = syntax.build() {
         environment.set_syntax(syntax); // it fails for odd delimiters only, and these are the usual ones
     }
+    environment.add_filter("wrapped", wrapped);
     environment.set_fuel(Some(1_000_000)); // a template that does not end is an error
     let rendered = environment
         .template_from_named_str(&shown, &text)
@@ -41,4 +42,28 @@ pub(crate) fn render(templates: &Templates, name: &str, context: impl Serialize)
         }
         Error::new(vec![diagnostic], files)
     })
+}
+
+/// How wide the lines of [`wrapped`] get, if their items let them.
+const WIDTH: usize = 110;
+
+/// The filter `wrapped`: items with commas between, `first` before the first line of them and `rest` before the others.
+fn wrapped(items: Vec<String>, first: String, rest: String) -> String {
+    let (mut text, mut width) = (first.clone(), first.chars().count());
+    for (index, item) in items.iter().enumerate() {
+        let comma = if index + 1 < items.len() { "," } else { "" };
+        let more = item.chars().count() + comma.len();
+        if index > 0 && width + 1 + more > WIDTH {
+            text.push('\n');
+            text.push_str(&rest);
+            width = rest.chars().count();
+        } else if index > 0 {
+            text.push(' ');
+            width += 1;
+        }
+        text.push_str(item);
+        text.push_str(comma);
+        width += more;
+    }
+    text
 }

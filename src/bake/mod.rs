@@ -3,19 +3,20 @@
 //! What the result looks like is the template `wgsl.jinja`. The fragments' own text never goes through the template
 //! engine: the template places a mark for each piece, and the pieces go in afterwards, so that the source map stays exact.
 
+mod facts;
 mod interface;
 mod literal;
 mod map;
 mod plan;
 mod text;
 
+pub(crate) use facts::Facts;
 pub(crate) use interface::number;
 pub use interface::{Binding, EntryPoint, Field, Interface, Override, Uniform};
 pub use literal::literal;
 pub use map::{Origin, Segment, SourceMap};
 pub use plan::{Bake, Storage};
-
-use std::sync::Arc;
+pub(crate) use text::clean;
 
 use crate::compose::Composition;
 use crate::diagnostic::Error;
@@ -26,7 +27,7 @@ use crate::syntax::Value;
 /// A composed shader with its values in it, not yet checked.
 pub struct Baked {
     /// The text.
-    pub text: Arc<str>,
+    pub text: String,
     /// Where every byte of it is from.
     pub map: SourceMap,
     /// Uniform layout and overrides.
@@ -47,7 +48,7 @@ pub fn bake(composition: Composition, bake: &Bake, templates: &Templates) -> Res
         (0..composition.parameters.len()).filter(|index| composition.parameters[*index].read).collect();
     let interface = interface::interface(&composition, &storage, &used, bake.binding);
     let (text, map) = text::assemble(&composition, &storage, &used, &interface, templates)?;
-    Ok(Baked { text: text.into(), map, interface, storage, composition })
+    Ok(Baked { text, map, interface, storage, composition })
 }
 
 /// The bytes of the uniform buffer with the values of `preset`; none where no parameter is live.

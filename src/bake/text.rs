@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
+use super::facts::Facts;
 use super::interface::{Interface, suffixes};
 use super::literal::{in_code, literal, scalars, uniform_type};
 use super::map::{Segment, SourceMap};
@@ -27,28 +28,15 @@ enum Insert<'a> {
 
 #[derive(Serialize)]
 struct Context {
-    name: String,
-    about: String,
-    version: &'static str,
-    licences: Vec<Licence>,
+    /// `header.jinja`, rendered.
+    header: String,
+    #[serde(flatten)]
+    facts: Facts,
     directives: Vec<String>,
-    options: Vec<OptionLine>,
     groups: Vec<Group>,
     uniform: Option<UniformBlock>,
     slots: Vec<Item>,
     modules: Vec<Item>,
-}
-
-#[derive(Serialize)]
-struct Licence {
-    licence: String,
-    modules: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct OptionLine {
-    name: String,
-    value: String,
 }
 
 #[derive(Serialize)]
@@ -86,7 +74,8 @@ pub(super) fn assemble(
     templates: &Templates,
 ) -> Result<(String, SourceMap), Error> {
     let mut inserts = Vec::new();
-    let context = context(composition, storage, used, interface, &mut inserts);
+    let mut context = context(composition, storage, used, interface, &mut inserts);
+    context.header = template::render(templates, "header.jinja", &context.facts)?.trim_end().to_owned();
     let rendered = template::render(templates, "wgsl.jinja", context)?;
     let size: usize = inserts.iter().map(size).sum();
     let mut writer = Writer {
@@ -97,7 +86,7 @@ pub(super) fn assemble(
     };
     let mut rest = rendered.as_str();
     while let Some(at) = rest.find(MARKS.0) {
-        writer.text.push_str(&rest[..at]);
+        writer.glue(&rest[..at]);
         rest = &rest[at + MARKS.0.len_utf8()..];
         let Some((number, after)) = rest.split_once(MARKS.1) else { break };
         match number.parse::<usize>().ok().and_then(|index| inserts.get(index)) {
@@ -107,7 +96,7 @@ pub(super) fn assemble(
         }
         rest = after;
     }
-    writer.text.push_str(rest);
+    writer.glue(rest);
     Ok((writer.text, writer.map))
 }
 
@@ -140,10 +129,12 @@ impl Writer<'_> {
         for piece in &part.pieces {
             match piece {
                 Piece::Copy(span) => {
+                    let surplus = self.surplus(&source[span.range()]);
+                    let from = Span { start: span.start + surplus as u32, end: span.end };
                     let start = self.text.len();
-                    self.text.push_str(&source[span.range()]);
+                    self.text.push_str(&source[from.range()]);
                     let out = Span::new(start, self.text.len());
-                    self.map.push(Segment { out, file, from: *span, copied: true, instance });
+                    self.map.push(Segment { out, file, from, copied: true, instance });
                 }
                 Piece::Word(word, span) => self.made(word, file, *span, instance),
                 Piece::Read(knob, span) => {
@@ -152,6 +143,21 @@ impl Writer<'_> {
                 }
             }
         }
+    }
+
+    /// Text of the template's own.
+    fn glue(&mut self, text: &str) {
+        for line in text.split_inclusive('\n') {
+            self.text.push_str(&line[self.surplus(line)..]);
+        }
+    }
+
+    /// How many line breaks at the start of `text` would leave two empty lines in a row where pieces meet.
+    fn surplus(&self, text: &str) -> usize {
+        if !self.text.ends_with("\n\n") {
+            return 0;
+        }
+        text.bytes().take_while(|byte| *byte == b'\n').count()
     }
 
     /// Text that stands for `from`.
@@ -229,10 +235,8 @@ fn context<'a>(
     });
     let modules = modules.collect();
     Context {
-        name: clean(&composition.name),
-        about: clean(&composition.about),
-        version: env!("CARGO_PKG_VERSION"),
-        licences: licences(composition),
+        header: String::new(),
+        facts: Facts::of(composition),
         directives: composition
             .hoisted
             .iter()
@@ -245,14 +249,6 @@ fn context<'a>(
                     Some(file) => mark(inserts, Insert::Line { text, file, from }),
                     None => text,
                 }
-            })
-            .collect(),
-        options: composition
-            .options
-            .iter()
-            .map(|option| OptionLine {
-                name: option.decl.key.to_string(),
-                value: option.decl.show(option.value),
             })
             .collect(),
         groups,
@@ -326,18 +322,6 @@ fn directive_text(directive: &Hoisted) -> String {
     format!("{keyword}{};", directive.body)
 }
 
-fn licences(composition: &Composition) -> Vec<Licence> {
-    let mut all: Vec<Licence> = Vec::new();
-    for part in &composition.parts {
-        let licence = clean(part.licence.as_deref().unwrap_or("not stated"));
-        match all.iter_mut().find(|known| known.licence == licence) {
-            Some(known) => known.modules.push(clean(&part.name)),
-            None => all.push(Licence { licence, modules: vec![clean(&part.name)] }),
-        }
-    }
-    all
-}
-
 fn mark<'a>(inserts: &mut Vec<Insert<'a>>, insert: Insert<'a>) -> String {
     inserts.push(insert);
     let mut mark = String::new();
@@ -346,7 +330,7 @@ fn mark<'a>(inserts: &mut Vec<Insert<'a>>, insert: Insert<'a>) -> String {
 }
 
 /// Text from outside on one line, without marks: it ends up in comments of the result.
-fn clean(text: &str) -> String {
+pub(crate) fn clean(text: &str) -> String {
     text.chars()
         .filter(|c| *c != MARKS.0 && *c != MARKS.1)
         .map(|c| if crate::syntax::is_line_break(c) || c.is_control() { ' ' } else { c })

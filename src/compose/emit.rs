@@ -126,6 +126,9 @@ fn declare(
     pieces: &mut Vec<Piece>,
 ) {
     let module = active.module;
+    if !kept.rewrites[active.instance] {
+        return copy(pieces, &module.pieces[declaration.pieces.clone()]);
+    }
     let references = &module.references[declaration.references.clone()];
     let meanings = &kept.meanings[active.instance];
     let mut changes =
@@ -178,7 +181,7 @@ fn check_locals(
             errors.push(ComposeError::Hidden { name: name.into(), what, at: (file, *span) });
         }
     }
-    if locals.is_empty() {
+    if locals.is_empty() || !kept.rewrites[active.instance] {
         return;
     }
     let by_name: FxHashMap<&str, Span> =

@@ -5,6 +5,7 @@
 //! values themselves are put in by the next stage, `bake`. Nothing here knows naga.
 
 mod cache;
+mod catalogue;
 mod decide;
 mod emit;
 mod error;
@@ -13,6 +14,7 @@ mod names;
 mod shake;
 
 pub use cache::Cache;
+pub use catalogue::{Catalogue, catalogue};
 pub use emit::{Hoisted, Piece};
 pub use error::{At, ComposeError};
 pub use names::UNIFORM;
@@ -115,6 +117,8 @@ pub struct Request<'a> {
     pub preset: &'a Preset,
     /// The entry point of a scene that has `main_image` and no entry point of its own.
     pub wrapper: Option<Source>,
+    /// A fragment that is put in beside the scene.
+    pub beside: Option<Source>,
     /// Keep declarations that no entry point reaches.
     pub keep_unused: bool,
 }
@@ -123,6 +127,8 @@ pub struct Request<'a> {
 pub struct Survey {
     /// The preset's name.
     pub name: String,
+    /// The scene's name.
+    pub scene: Arc<str>,
     /// Every text that was read.
     pub files: Arc<Files>,
     /// All parameters and options that any branch can reach.
@@ -153,6 +159,9 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
     {
         graph.add_root(wrapper.clone(), library, cache, &mut files, &mut errors);
     }
+    if let Some(beside) = &request.beside {
+        graph.add_root(beside.clone(), library, cache, &mut files, &mut errors);
+    }
     if !errors.is_empty() {
         return Err(fail(errors, files));
     }
@@ -165,7 +174,8 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         Err(errors) => return Err(Error::new(errors.into_iter().map(Diagnostic::from).collect(), files)),
     };
     let name = request.preset.name().to_owned();
-    Ok(Survey { name, files: files.into(), declarations, settings, graph })
+    let scene = files.get(graph.file(root)).name.clone();
+    Ok(Survey { name, scene, files: files.into(), declarations, settings, graph })
 }
 
 /// Puts a scene together.

@@ -62,7 +62,7 @@ pub(super) struct Names<'a> {
     pub(super) order: &'a [usize],
     table: FxHashMap<Cow<'a, str>, Global>,
     /// By instance: what fills its slots.
-    slots: FxHashMap<(u32, String), Meaning>,
+    slots: FxHashMap<u32, FxHashMap<String, Meaning>>,
     /// By loaded file: which of its directives are slots.
     slots_in: Vec<Vec<usize>>,
     /// The slots of roots, which nobody fills.
@@ -108,7 +108,9 @@ impl<'a> Names<'a> {
                 if prefix.is_empty() { Cow::Borrowed(own) } else { Cow::Owned(format!("{prefix}_{own}")) };
             let global = Global { instance: instance as u32, declaration: index as u32 };
             let at = (self.graph.file(instance), span);
-            let reserved = (*name == *UNIFORM.0 || *name == *UNIFORM.1).then(|| name.to_string());
+            let has_uniform = !self.declarations.parameters.is_empty();
+            let is_ours = has_uniform && (*name == *UNIFORM.0 || *name == *UNIFORM.1);
+            let reserved = is_ours.then(|| name.to_string());
             match self.table.entry(name) {
                 std::collections::hash_map::Entry::Vacant(slot) => drop(slot.insert(global)),
                 std::collections::hash_map::Entry::Occupied(taken) => {
@@ -186,14 +188,15 @@ impl<'a> Names<'a> {
                 match filled_by.get(&child).copied() {
                     None => {
                         filled_by.insert(child, (includer, directive));
-                        for (slot, meaning) in given {
-                            self.slots.insert((child as u32, slot), meaning);
+                        if !given.is_empty() {
+                            self.slots.insert(child as u32, given.into_iter().collect());
                         }
                     }
                     Some(first) => {
-                        let same = given.iter().all(|(slot, meaning)| {
-                            self.slots.get(&(child as u32, slot.clone())) == Some(meaning)
-                        });
+                        let known = self.slots.get(&(child as u32));
+                        let same = given
+                            .iter()
+                            .all(|(slot, meaning)| known.and_then(|known| known.get(slot)) == Some(meaning));
                         if !same {
                             errors.push(self.conflict(includer, include, child, first));
                         }
@@ -356,9 +359,7 @@ impl<'a> Names<'a> {
 
     /// What `name` means in `instance`.
     pub(super) fn look_up(&self, instance: usize, name: &str) -> Meaning {
-        if let Some(meaning) =
-            self.slots.get(&(instance as u32, name.to_owned())).filter(|_| !self.slots.is_empty())
-        {
+        if let Some(meaning) = self.slots.get(&(instance as u32)).and_then(|slots| slots.get(name)) {
             return meaning.clone();
         }
         let prefix = &self.graph.instances[instance].prefix;

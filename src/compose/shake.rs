@@ -14,6 +14,8 @@ pub(super) struct Kept {
     pub(super) declarations: Vec<Vec<bool>>,
     /// By instance, by symbol; none where nobody asked.
     pub(super) meanings: Vec<Vec<Option<Meaning>>>,
+    /// By instance: whether any of its names is spelled otherwise in the result. Most are not, and are copied whole.
+    pub(super) rewrites: Vec<bool>,
     /// Which parameters are read, by number.
     pub(super) parameters: Vec<bool>,
     /// Which options are read, by number.
@@ -27,7 +29,10 @@ impl Kept {
         if slot.is_none() {
             let name =
                 names.active[instance].as_ref().map_or("", |active| active.module.name(active.text, symbol));
-            *slot = Some(names.look_up(instance, name));
+            let meaning = names.look_up(instance, name);
+            self.rewrites[instance] |=
+                matches!(meaning, Meaning::Renamed(..) | Meaning::Group | Meaning::Knob(_));
+            *slot = Some(meaning);
         }
         slot.clone().unwrap_or(Meaning::Foreign)
     }
@@ -42,6 +47,7 @@ pub(super) fn shake(names: &Names<'_>, keep_all: bool, errors: &mut Vec<ComposeE
             .map(|a| vec![false; a.as_ref().map_or(0, |a| a.module.declarations.len())])
             .collect(),
         meanings: sizes.map(|a| vec![None; a.as_ref().map_or(0, |a| a.module.symbols())]).collect(),
+        rewrites: vec![false; names.active.len()],
         parameters: vec![false; names.declarations.parameters.len()],
         options: vec![false; names.declarations.options.len()],
     };

@@ -1,19 +1,54 @@
-//! One file per target.
+//! One file per target: [`Shader`] → WGSL, Shadertoy, GLSL ES 3.00, SPIR-V, HLSL, MSL, or JSON.
+//!
+//! A target says how it wants the shader composed ([`Target::stage`], [`Target::bake`]); [`export`] then writes the file.
+
+mod back;
+mod error;
+mod es300;
+mod glsl;
+mod header;
+mod json;
+mod names;
+mod source_map;
+mod target;
+
+pub use error::ExportError;
+pub use source_map::source_map;
+pub use target::{Stage, Target};
 
 use crate::diagnostic::Error;
+use crate::shader::Shader;
 use crate::source::{Source, Templates};
 use crate::template;
 
-/// The stage of the entry point that a scene gets.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Stage {
-    /// A triangle over the whole target, and a fragment entry point.
-    #[default]
-    Fragment,
-    /// A compute entry point that writes a storage texture.
-    Compute,
-    /// `main_image` itself is what the target calls.
-    MainImage,
+/// The file for `target`. Of several fragment entry points, GLSL and Shadertoy get the first.
+///
+/// # Errors
+/// Where the target has no words for what the shader does, or a template cannot be rendered.
+pub fn export(shader: &Shader, target: Target, templates: &Templates) -> Result<Vec<u8>, Error> {
+    export_entry(shader, target, None, templates)
+}
+
+/// As [`export`], with the fragment entry point that GLSL or Shadertoy is to get chosen by name.
+///
+/// # Errors
+/// As [`export`], and where there is no such entry point.
+pub fn export_entry(
+    shader: &Shader,
+    target: Target,
+    entry_point: Option<&str>,
+    templates: &Templates,
+) -> Result<Vec<u8>, Error> {
+    let text = match target {
+        Target::Wgsl => Ok(shader.wgsl().to_owned()),
+        Target::Json => Ok(json::interface(shader)),
+        Target::Glsl => glsl::file(shader, entry_point, templates)?,
+        Target::Shadertoy => glsl::shadertoy(shader, entry_point, templates)?,
+        Target::Hlsl => back::hlsl(shader, templates)?,
+        Target::Msl => back::msl(shader, templates)?,
+        Target::Spirv => return back::spirv(shader).map_err(|error| error.told(shader)),
+    };
+    text.map(String::into_bytes).map_err(|error: ExportError| error.told(shader))
 }
 
 /// The entry point of a scene that has `main_image`, as a fragment that calls it.
@@ -24,5 +59,6 @@ pub(crate) fn entry_point(stage: Stage, templates: &Templates) -> Result<Source,
         Stage::MainImage => "entry_main_image.wgsl",
     };
     let text = template::render(templates, name, ())?;
-    Ok(Source::text(format!("templates/{name}"), text))
+    let shown = format!("templates/{name}");
+    Ok(if templates.overlays(name) { Source::text(shown, text) } else { Source::ours(shown, text) })
 }

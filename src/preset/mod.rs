@@ -2,6 +2,7 @@
 
 mod error;
 mod json;
+pub mod listing;
 mod read;
 mod settle;
 

@@ -263,6 +263,13 @@ impl Source {
         }
     }
 
+    /// A text of Orogen's own, that stands in no folder.
+    pub(crate) fn ours(name: impl Into<Arc<str>>, text: impl Into<Arc<str>>) -> Self {
+        let mut source = Self::text(name, text);
+        source.identity = format!("library:{}", source.name).into();
+        source
+    }
+
     /// A file on disk. Its `"…"` includes are looked for in its folder and below.
     ///
     /// # Errors

@@ -29,6 +29,11 @@ impl Templates {
         Ok(Self { folder: Some(folder) })
     }
 
+    /// Whether the folder has a `name` of its own.
+    pub(crate) fn overlays(&self, name: &str) -> bool {
+        self.folder.as_ref().is_some_and(|folder| folder.join(name).exists())
+    }
+
     /// The text of the template `name`, and what its author calls it.
     ///
     /// # Errors

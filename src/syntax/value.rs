@@ -223,6 +223,16 @@ pub struct OptionDecl {
 }
 
 impl OptionDecl {
+    /// What it can be set to: `{ value, perlin }`, `{ true, false }`, `1 .. 16`.
+    pub fn possible(&self) -> String {
+        match &self.kind {
+            OptionKind::Choice(names) => format!("{{ {} }}", names.join(", ")),
+            OptionKind::Bool => "{ true, false }".into(),
+            OptionKind::Integer(Some((low, high))) => format!("{low} .. {high}"),
+            OptionKind::Integer(None) => "a whole number".into(),
+        }
+    }
+
     /// `value` as a preset writes it.
     pub fn show(&self, value: OptionValue) -> String {
         match (&self.kind, value) {

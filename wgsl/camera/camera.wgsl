@@ -32,9 +32,9 @@ struct CameraRay {
     direction: vec3f,
 }
 
-/// The ray through `frag_coord` (pixels from the bottom left), moved inside the pixel by `frame.jitter`.
+/// The ray through `frag_coord` (pixels from the bottom left; whoever calls adds `frame.jitter` to it).
 ///
-/// `ground_height`: of the ground (m) beneath `camera.position`.
+/// `ground_height`: height of the ground (m) beneath `camera.position`.
 fn camera_ray(frag_coord: vec2f, ground_height: f32) -> CameraRay {
     var origin = camera.position;
 #if camera.above_ground
@@ -57,7 +57,7 @@ fn camera_ray(frag_coord: vec2f, ground_height: f32) -> CameraRay {
     let forward = direction_from_angles(azimuth, elevation);
     let right = vec3f(cos(azimuth), 0.0, sin(azimuth));
     let up = cross(right, forward);
-    let centred = (2.0 * (frag_coord + frame.jitter) - frame.resolution) / frame.resolution.x;
+    let centred = (2.0 * frag_coord - frame.resolution) / frame.resolution.x;
     let on_film = HALF_FRAME / camera.focal_length * centred;
     return CameraRay(origin, normalize(forward + on_film.x * right + on_film.y * up));
 }

@@ -1,6 +1,7 @@
 // The sRGB transfer function (IEC 61966-2-1), exact, both ways.
 
-/// Linear light to display values. Keeps sign; goes on above 1 along the same curve, so that it can be undone there too.
+/// Linear light to display values. Keeps sign; goes on above 1 along the same curve, so that it can be undone
+/// there too.
 fn srgb_encode(linear_light: vec3f) -> vec3f {
     let magnitude = abs(linear_light);
     let low = magnitude * 12.92;

@@ -1,7 +1,8 @@
 // What running water does to a slope: gullies that follow it, with smaller gullies running into them.
 //
-// After the idea of the erosion filter (runevision 2024-26): waves whose crests run down the slope, blended between the
-// jittered cells of a grid. It needs the height's gradient at the one point only, so it is a pure function of it.
+// After the idea of the erosion filter (runevision 2024-26): waves whose crests run down the slope, blended between
+// the jittered cells of a grid. It needs the height's gradient at the one point only, so it is a pure function of
+// it.
 
 #include <noise/pcg.wgsl>
 
@@ -10,8 +11,8 @@ const GULLY_RADIUS2: f32 = 1.5625; // squared reach of a cell's wave: 1.25 cells
 /// One generation of gullies in the plane `p`, a cell of the grid being 1 wide and about one gully wide.
 ///
 /// `side`: unit vector across the slope. Returns (value, slope along `side`), value -1 (bottom) .. 1 (crest).
-/// `sharpness`: 0 round crests, 1 sharp ones. The slope is that of the round ones and leaves out that the blend varies:
-/// it is there to lead the next generation, which would tear where the slope jumps. Nine cells.
+/// `sharpness`: 0 round crests, 1 sharp ones. The slope is that of the round ones and leaves out that the blend
+/// varies: it is there to lead the next generation, which would tear where the slope jumps. Nine cells.
 fn gully_wave(p: vec2f, side: vec2f, sharpness: f32, seed: u32) -> vec2f {
     let lattice = floor(p);
     let t = p - lattice;
@@ -32,7 +33,8 @@ fn gully_wave(p: vec2f, side: vec2f, sharpness: f32, seed: u32) -> vec2f {
             weights += weight;
         }
     }
-    // The waves of neighbouring cells cancel here and there; make up for most of it, but let a gully end where they do.
+    // The waves of neighbouring cells cancel here and there; make up for most of it, but let a gully end where
+    // they do.
     let c = sum / max(length(sum), 0.35 * max(weights, 1e-6));
     let sharp = 1.0 - 2.0 * sqrt(max(0.5 - 0.5 * c.x, 0.0) + 0.02);
     return vec2f(mix(c.x, sharp, sharpness), -6.2831853 * c.y);
@@ -40,10 +42,11 @@ fn gully_wave(p: vec2f, side: vec2f, sharpness: f32, seed: u32) -> vec2f {
 
 /// Gullies of several generations on a slope: (change of height, change of the slope), in the units of `p`.
 ///
-/// `slope`: the land's gradient at `p` without gullies, rise over run. `width`: of the widest gullies. `depth`: between
-/// crest and bottom of those, on ground steeper than `full_slope` > 0; none on level ground. Each generation is `gain`
-/// as deep and half as wide as the one before, and follows the slope that those before have left. `octaves` may be
-/// fractional, 0 .. 8. The change stays within +-`depth` / 2 · (1 + gain + gain² + …). Nine cells an octave.
+/// `slope`: the land's gradient at `p` without gullies, rise over run; the smoother it varies, the better. `width`: of
+/// the widest gullies. `depth`: between crest and bottom of those, on ground steeper than `full_slope` > 0; none where
+/// it is less than a fifth as steep. Each generation is `gain` as deep and half as wide as the one before, and follows
+/// the slope that those before have left. `octaves` may be fractional, 0 .. 8. The change stays within
+/// +-`depth` / 2 · (1 + gain + gain² + …). Nine cells an octave.
 fn gullies2(
     p: vec2f,
     slope: vec2f,
@@ -65,7 +68,7 @@ fn gullies2(
         let downhill = slope + change.yz;
         let steepness = length(downhill);
         let side = vec2f(-downhill.y, downhill.x) / max(steepness, 1e-6);
-        let hold = smoothstep(0.0, full_slope, steepness);
+        let hold = smoothstep(0.2 * full_slope, full_slope, steepness); // on level ground there is no downhill
         let wave = gully_wave(p / cell, side, 0.6, seed + u32(i));
         change += presence * strength * hold * vec3f(wave.x, wave.y * side / cell);
         cell *= 0.5;

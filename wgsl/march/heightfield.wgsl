@@ -19,7 +19,8 @@ struct March {
     shortest: f32,
     /// By how much steps grow with distance, as a part of it.
     growth: f32,
-    /// Part of the height above ground that one step may cover: at most the cosine of the steepest slope misses nothing.
+    /// Part of the height above ground that one step may cover: at most the cosine of the steepest slope
+    /// misses nothing.
     relax: f32,
     /// Steps at most.
     max_steps: i32,
@@ -31,19 +32,20 @@ struct March {
 
 /// First crossing of the ground along a ray.
 ///
-/// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far to look. A ray
-/// that starts below the ground ends at once, with distance 0. Coming within half a pixel of the ground counts as meeting
-/// it, and so does running out of steps. What may be missed is a thin crest that lies between two steps.
+/// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far to look, from
+/// above counted from where the ray comes below the ceiling. A ray that starts below the ground ends at once, with
+/// distance 0. Coming within half a pixel of the ground counts as meeting it, and so does running out of steps. What
+/// may be missed is a thin crest that lies between two steps.
 fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, how: March) -> Hit {
     var t = 0.0;
-    var end = far;
     if direction.y < -1e-6 {
         t = max((ceiling - origin.y) / direction.y, 0.0); // from above: nothing to meet before the ceiling
     } else if origin.y > ceiling {
         return Hit(far, false, 0);
     }
+    var end = t + far;
     if direction.y > 1e-6 {
-        end = min(far, (ceiling - origin.y) / direction.y);
+        end = min(end, (ceiling - origin.y) / direction.y);
     }
     var before = t;
     var steps = 0;
@@ -81,10 +83,10 @@ fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, how: March) ->
 
 /// Part of a distant light that is seen from `origin`, 0 (umbra) .. 1.
 ///
-/// The least (height above ground) / (distance) along the ray to it, held against the light's size (Quilez): `spread` is
-/// its angular radius (rad, > 0). `start` and `far` (m) are where to begin and to give up, `max_steps` how often to look;
-/// steps grow with distance, and so does the size of the details looked at. The least is then searched for between the
-/// looks (golden section), or the crests' shadows would have teeth.
+/// The least (height above ground) / (distance) along the ray to it, held against the light's size (Quilez):
+/// `spread` is its angular radius (rad, > 0). `start` and `far` (m) are where to begin and to give up, `max_steps`
+/// how often to look; steps grow with distance, and so does the size of the details looked at. The least is then
+/// searched for between the looks (golden section), or the crests' shadows would have teeth.
 fn shadow(
     origin: vec3f,
     to_light: vec3f,
@@ -134,23 +136,30 @@ fn shadow(
         const GOLDEN: f32 = 0.618034;
         var a = high - GOLDEN * (high - low);
         var b = low + GOLDEN * (high - low);
-        var at_a = clearance(origin, to_light, a, footprint) / (a * spread);
-        var at_b = clearance(origin, to_light, b, footprint) / (b * spread);
-        for (var i = 0; i < 6; i++) {
-            let left = at_a < at_b;
-            low = select(a, low, left);
-            high = select(high, b, left);
-            let kept = select(b, a, left);
-            let at_kept = select(at_b, at_a, left);
-            least = min(least, at_kept);
-            let fresh = select(low + GOLDEN * (high - low), high - GOLDEN * (high - low), left);
-            let at_fresh = clearance(origin, to_light, fresh, footprint) / (fresh * spread);
-            a = select(kept, fresh, left);
-            at_a = select(at_kept, at_fresh, left);
-            b = select(fresh, kept, left);
-            at_b = select(at_fresh, at_kept, left);
+        var at_a = 0.0;
+        var at_b = 0.0;
+        for (var i = 0; i < 8; i++) {
+            var left = i == 0; // the first two looks are at a and at b
+            if i >= 2 {
+                left = at_a < at_b;
+                if left {
+                    high = b;
+                    b = a;
+                    at_b = at_a;
+                    a = high - GOLDEN * (high - low);
+                } else {
+                    low = a;
+                    a = b;
+                    at_a = at_b;
+                    b = low + GOLDEN * (high - low);
+                }
+            }
+            t = select(b, a, left);
+            let here = clearance(origin, to_light, t, footprint) / (t * spread);
+            at_a = select(at_a, here, left);
+            at_b = select(here, at_b, left);
+            least = min(least, here);
         }
-        least = min(least, min(at_a, at_b));
     }
     return smoothstep(-1.0, 1.0, least);
 }

@@ -12,7 +12,8 @@ fn remap_clamped(value: f32, a: f32, b: f32, c: f32, d: f32) -> f32 {
     return c + (d - c) * clamp((value - a) / (b - a), 0.0, 1.0);
 }
 
-/// Where `value` lies between `a` and `b`: 0 at or before `a`, 1 at or after `b`, linear between. `a` and `b` must differ.
+/// Where `value` lies between `a` and `b`: 0 at or before `a`, 1 at or after `b`, linear between. `a` and `b` must
+/// differ.
 fn linear_step(a: f32, b: f32, value: f32) -> f32 {
     return clamp((value - a) / (b - a), 0.0, 1.0);
 }

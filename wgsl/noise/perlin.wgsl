@@ -10,8 +10,8 @@ fn perlin_noise2(p: vec2f, seed: u32) -> f32 {
 
 /// Gradient noise in the plane and its analytic gradient: (value, d/dx, d/dy). Value -1 .. 1.
 ///
-/// Lattice gradients are unit vectors of any direction, not of the usual eight: landscapes show the difference. The raw
-/// supremum is then 1/sqrt(2), at the middle of a cell whose four gradients point at it.
+/// Lattice gradients are unit vectors of any direction, not of the usual eight: landscapes show the difference.
+/// The raw supremum is then 1/sqrt(2), at the middle of a cell whose four gradients point at it.
 fn perlin_noise2_grad(p: vec2f, seed: u32) -> vec3f {
     let lattice = floor(p);
     let t = p - lattice;
@@ -99,7 +99,8 @@ fn perlin_direction2(bits: u32) -> vec2f {
     return vec2f((1.0 - t * t) * scale, 2.0 * t * scale);
 }
 
-/// One of the twelve edge midpoints of the cube with corners at +-1; four of them come up twice as often (Perlin 2002).
+/// One of the twelve edge midpoints of the cube with corners at +-1; four of them come up twice as often (Perlin
+/// 2002).
 fn perlin_direction3(bits: u32) -> vec3f {
     let h = bits >> 28u;
     let a = select(1.0, -1.0, (h & 1u) != 0u);

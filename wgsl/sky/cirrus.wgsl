@@ -11,6 +11,8 @@
 #param sky.cirrus_opacity: f32 = 0.5, range 0 .. 1
 /// Where the wind up there blows to, clockwise from north.
 #param sky.cirrus_heading: f32 = 70.0, range -360 .. 360, unit deg
+/// Which clouds: another seed, another sky.
+#param sky.cirrus_seed: u32 = 1
 
 const CIRRUS_HEIGHT: f32 = 9000.0; // m
 const CIRRUS_LENGTH: f32 = 14000.0; // m: of the largest wisps, along the wind
@@ -23,10 +25,10 @@ fn cirrus_veil(behind: vec3f, origin: vec3f, direction: vec3f) -> vec3f {
     }
     let distance = climb / max(abs(direction.y), 0.01) * sign(direction.y);
     let place = rotate2(origin.xz + abs(distance) * direction.xz, -sky.cirrus_heading) / CIRRUS_LENGTH;
-    let bend = cirrus_fbm2(place * vec2f(1.3, 1.3), 301u, 2.0, 0.5, 2.0);
+    let bend = cirrus_fbm2(place * vec2f(1.3, 1.3), sky.cirrus_seed, 2.0, 0.5, 2.0);
     let combed = vec2f(2.6 * place.x, 0.8 * place.y) + 0.28 * bend.xy;
-    let wisps = cirrus_fbm2(combed, 311u, 6.0, 0.56, 2.1).x;
-    let fields = perlin_noise2(0.7 * place + vec2f(4.2, 1.9), 317u);
+    let wisps = cirrus_fbm2(combed, sky.cirrus_seed + 17u, 6.0, 0.56, 2.1).x;
+    let fields = perlin_noise2(0.7 * place + vec2f(4.2, 1.9), sky.cirrus_seed + 31u);
     let threshold = 0.75 - 1.3 * sky.cirrus_cover;
     let thickness = smoothstep(threshold, threshold + 1.1, wisps + 0.8 * fields);
     let near = smoothstep(0.03, 0.22, abs(direction.y)); // at the horizon the haze hides them

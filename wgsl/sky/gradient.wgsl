@@ -30,13 +30,15 @@ fn sky_radiance(direction: vec3f) -> vec3f {
     return base + sky.glow * (0.45 * wide + 0.55 * narrow) * (1.0 - 0.6 * up);
 }
 
-/// Irradiance of level ground under the whole sky: pi times its cosine-weighted mean, in closed form, the glow left out.
+/// Irradiance of level ground under the whole sky: pi times its cosine-weighted mean, in closed form, the glow
+/// left out.
 fn sky_irradiance() -> vec3f {
     let horizon_part = 2.0 / ((sky.falloff + 1.0) * (sky.falloff + 2.0));
     return 3.14159265 * mix(sky.zenith, sky.horizon, horizon_part);
 }
 
-/// `radiance` as it is seen from `distance` (m) away along a ray: dimmed by the haze and veiled by the light it scatters.
+/// `radiance` as it is seen from `distance` (m) away along a ray: dimmed by the haze and veiled by the light it
+/// scatters.
 ///
 /// The veil tends to the sky's colour at the horizon in that direction, so the farthest land melts into the sky.
 fn sky_veil(radiance: vec3f, origin: vec3f, direction: vec3f, distance: f32) -> vec3f {
@@ -55,5 +57,6 @@ fn sun_disc(direction: vec3f) -> vec3f {
     let toward = dot(direction, sun_direction());
     let inside = smoothstep(edge - 0.2 * (1.0 - edge), edge + 0.2 * (1.0 - edge), toward);
     let solid_angle = 6.2831853 * (1.0 - edge);
-    return inside * min(sun_light() / solid_angle, vec3f(200.0));
+    let risen = smoothstep(-0.01, 0.0, direction.y); // the world is flat: nothing shines through it
+    return risen * inside * min(sun_light() / solid_angle, vec3f(200.0));
 }

@@ -48,31 +48,32 @@ fn striped_rock(position: vec3f, normal: vec3f, wander: f32) -> vec3f {
     let thick = value_noise3(bed / ground.stripes, 41u);
     let thin = value_noise3(bed / (0.31 * ground.stripes) + vec3f(17.3), 43u);
     let stripe = smoothstep(-0.28, 0.28, 0.6 * thick + 0.4 * thin);
-    let steep = smoothstep(0.9, 0.55, normal.y);
+    let steep = 1.0 - smoothstep(0.55, 0.9, normal.y);
     return mix(ground.rock, ground.dark_rock, stripe * (0.35 + 0.65 * steep));
 }
 
-/// The ground in bands. Three fBms and two noises.
+/// The ground in bands. Four fBms and two noises.
 fn bands_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
     let octaves = clamp(log2(400.0 / max(2.0 * footprint, 0.05)), 0.0, 9.0);
     let wander = patches_fbm2(position.xz / 400.0, 5u, octaves, 0.55, 2.03).x;
     let mottle = patches_fbm2(position.xz / 37.0, 6u, octaves - 3.0, 0.6, 2.03).x;
     let y = position.y + ground.raggedness * wander;
 
-    var albedo = striped_rock(position, normal, wander) * (1.0 + 0.25 * mottle);
+    var albedo = striped_rock(position, normal, wander) * (1.0 + 0.4 * mottle);
 
-    let dryness = smoothstep(-0.5, 0.7, wander + 0.6 * mottle + 0.9 * (y / max(ground.grass_line, 1.0) - 0.35));
+    let dryness = smoothstep(-0.5, 0.7, wander + 0.9 * mottle + 0.9 * (y / max(ground.grass_line, 1.0) - 0.35));
     let turf = mix(ground.grass, ground.dry_grass, dryness) * (1.0 + 0.35 * mottle);
     let holds = smoothstep(cos(ground.grass_slope + 0.14), cos(ground.grass_slope - 0.14), normal.y + 0.06 * mottle);
     let thin = smoothstep(-1.0, 1.0, (y - ground.grass_line) / max(ground.raggedness, 1.0));
-    let grown = holds * smoothstep(0.62, 0.38, thin + 0.25 * mottle);
+    let grown = holds * (1.0 - smoothstep(0.38, 0.62, thin + 0.25 * mottle));
     albedo = mix(albedo, turf, grown);
 
     // Forest as it looks from afar: dark, closed, the crowns catching the light. Trees have a file of their own.
-    let crowns = patches_fbm2(position.xz / 11.0, 9u, clamp(log2(11.0 / max(2.0 * footprint, 0.05)), 0.0, 3.0), 0.6, 2.1);
+    let crown_octaves = clamp(log2(11.0 / max(2.0 * footprint, 0.05)), 0.0, 3.0);
+    let crowns = patches_fbm2(position.xz / 11.0, 9u, crown_octaves, 0.6, 2.1);
     let clearing = 1.5 * (0.5 - ground.forest_cover) + 0.35 * mottle;
     let below = 1.0 - smoothstep(-0.6, 0.3, (y - ground.tree_line) / max(ground.raggedness, 1.0));
-    let wooded = below * smoothstep(-0.06, 0.06, wander - clearing) * smoothstep(0.66, 0.78, normal.y);
+    let wooded = below * smoothstep(-0.08, 0.08, wander - clearing + 0.3 * crowns.x) * smoothstep(0.66, 0.78, normal.y);
     albedo = mix(albedo, ground.forest * (1.0 + 0.6 * crowns.x), wooded);
 
     let shore = max(0.1 * ground.raggedness, 0.5);
@@ -80,7 +81,8 @@ fn bands_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
     albedo = mix(albedo, beach, 1.0 - smoothstep(-shore, shore, y - ground.sand_line));
     albedo = mix(albedo, ground.mud, 1.0 - smoothstep(-shore, shore, y - ground.mud_line));
 
-    // Snow: above its line, more and more of it higher up, on what is not too steep; drifts in the hollows of the noise.
+    // Snow: above its line, more and more of it higher up, on what is not too steep; drifts in the hollows of
+    // the noise.
     let above = (y - ground.snow_line) / max(ground.raggedness, 1.0);
     let limit = ground.snow_slope + 0.12 * clamp(above * 0.4, -1.0, 1.5) + 0.10 * mottle;
     let lies = smoothstep(cos(limit + 0.10), cos(limit - 0.08), normal.y);
@@ -89,7 +91,8 @@ fn bands_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
     albedo = mix(albedo, ground.snow, snow_cover);
 
     // Stones and tussocks, too small for the height; snow lies smoothly.
-    let grain = patches_fbm2(position.xz / 3.1, 8u, clamp(log2(3.1 / max(2.0 * footprint, 0.01)), 0.0, 5.0), 0.6, 2.1);
+    let grain_octaves = clamp(log2(3.1 / max(2.0 * footprint, 0.01)), 0.0, 5.0);
+    let grain = patches_fbm2(position.xz / 3.1, 8u, grain_octaves, 0.6, 2.1);
     let rough = 0.22 * (1.0 - snow_cover);
     let bend = 0.35 * rough * grain.yz + 0.45 * wooded * crowns.yz;
     let bent = normalize(normal - vec3f(bend.x, 0.0, bend.y));

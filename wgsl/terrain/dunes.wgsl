@@ -18,7 +18,8 @@
 
 /// A train of dunes: height (m) at `p` (m), 0 .. `crest`.
 ///
-/// `heading`: where the wind blows to (rad), `spacing` and `crest` (m). Crests wander by a slow noise, and fade in and out.
+/// `heading`: where the wind blows to (rad), `spacing` and `crest` (m). Crests wander by a slow noise, and fade in
+/// and out.
 fn dune_train(p: vec2f, heading: f32, spacing: f32, crest: f32, sinuosity: f32, seed: u32) -> f32 {
     let wind = vec2f(sin(heading), -cos(heading));
     let along = dot(p, wind);

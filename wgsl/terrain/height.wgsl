@@ -24,7 +24,8 @@ fn terrain_height(p: vec2f) -> f32 {
     return terrain_height_filtered(p, 0.0);
 }
 
-/// Height of the land (m) at `p` (m), without the octaves that are too small to be seen in a pixel `footprint` (m) wide.
+/// Height of the land (m) at `p` (m), without the octaves that are too small to be seen in a pixel `footprint` (m)
+/// wide.
 fn terrain_height_filtered(p: vec2f, footprint: f32) -> f32 {
     let octaves = min(terrain.octaves, log2(terrain.scale / max(2.0 * footprint, 1e-3)));
 #if terrain.relief == dunes
@@ -43,7 +44,8 @@ fn terrain_height_grad(p: vec2f) -> vec3f {
 
 /// As `terrain_height_grad`, filtered to a pixel `footprint` (m) wide, over which the differences are taken as well.
 fn terrain_height_grad_filtered(p: vec2f, footprint: f32) -> vec3f {
-    let reach = max(footprint, 0.05);
+    let resolvable = 4e-6 * max(abs(p.x), abs(p.y)); // some 30 steps of an f32 that large
+    let reach = max(max(footprint, 0.05), resolvable);
     // West, east, north, south: a loop, since compilers copy the whole land into every place that it is called from.
     var around = vec4f(0.0);
     for (var i = 0; i < 4; i++) {

@@ -21,12 +21,14 @@
 /// How wide the widest gullies are.
 #param terrain.gully_width: f32 = 900.0, range 10 .. 20000, unit m
 /// Height of the roughness on top of it all: boulders, humps and hollows.
-#param terrain.detail: f32 = 130.0, range 0 .. 500, unit m
+#param terrain.detail: f32 = 110.0, range 0 .. 500, unit m
 
 const DETAIL_OCTAVE: f32 = 4.0; // the octave at which roughness begins: a sixteenth of the scale
 
-/// Height (m) at `p` (m) of the first `octaves` octaves; a 0th and less are given by a negative count. Costly: up to
-/// `terrain.octaves` noises and five generations of gullies.
+/// Height (m) at `p` (m) of the first `octaves` octaves, which may be fractional; for 0 and less only the lie of
+/// the land.
+///
+/// Costly: up to `terrain.octaves` + 4 noises and five generations of gullies.
 fn mountains_height(p: vec2f, octaves: f32) -> f32 {
     let q = p / terrain.scale;
     // Where the mountains are: a map of its own, much coarser than they.
@@ -41,7 +43,8 @@ fn mountains_height(p: vec2f, octaves: f32) -> f32 {
 #else
     let roundness = mix(max(0.2, terrain.roundness), terrain.roundness, rugged); // no sharp crests in the lowlands
     let forms = range_ridged2(q, terrain.seed, coarse, terrain.gain, terrain.lacunarity, 2.0, roundness);
-    // Water follows the broad slopes: those of the sharp crests turn about within a few metres, and would tear its gullies.
+    // Water follows the broad slopes: those of the sharp crests turn about within a few metres, and would tear
+    // its gullies.
     let rounded = range_ridged2(q, terrain.seed, min(coarse, 3.0), terrain.gain, terrain.lacunarity, 2.0, 0.25);
 #endif
     let swell = terrain.peak_height * (0.08 + 0.80 * rugged);
@@ -50,15 +53,15 @@ fn mountains_height(p: vec2f, octaves: f32) -> f32 {
 
     // Water.
     let gully_octaves = min(5.0, octaves - log2(terrain.scale / terrain.gully_width) + 1.0);
-    let catchment = smoothstep(0.02, 0.45, land.x / max(terrain.peak_height, 1.0)); // low hills shed little water
-    let cut = gullies2(
-        p, 1.7 * swell / terrain.scale * rounded.yz, terrain.gully_width, terrain.gully_depth * catchment, 0.8, gully_octaves, 0.43, terrain.seed + 211u,
-    );
+    let catchment = smoothstep(0.10, 0.40, land.x / max(terrain.peak_height, 1.0)); // low hills shed little water
+    let downhill = 1.7 * swell / terrain.scale * rounded.yz; // rounding took about that much of the slope
+    let depth = terrain.gully_depth * catchment;
+    let cut = gullies2(p, downhill, terrain.gully_width, depth, 0.55, gully_octaves, 0.43, terrain.seed + 211u);
     land += cut;
 
     // Roughness, most where it is steep.
     let steep = smoothstep(0.1, 1.0, length(land.yz));
-    let fine = relief_fbm2(16.0 * q, terrain.seed + 307u, octaves - DETAIL_OCTAVE, 0.5, terrain.lacunarity);
+    let fine = relief_fbm2(16.0 * q, terrain.seed + 307u, octaves - DETAIL_OCTAVE, 0.58, terrain.lacunarity);
     land.x += terrain.detail * (0.08 + 0.92 * steep) * fine.x;
     return land.x;
 }
@@ -66,5 +69,10 @@ fn mountains_height(p: vec2f, octaves: f32) -> f32 {
 /// A height (m) that the mountains nowhere exceed.
 fn mountains_ceiling() -> f32 {
     let rest = terrain.gain / (1.0 - terrain.gain);
-    return terrain.peak_height * (0.12 + 0.88 * (1.0 + 0.394 * rest)) + terrain.gully_depth + 2.0 * terrain.detail;
+#if terrain.relief == fbm
+    let forms = 1.0 + 0.5 * rest;
+#else
+    let forms = 1.0 + 0.394 * rest;
+#endif
+    return terrain.peak_height * (0.12 + 0.88 * forms) + terrain.gully_depth + 2.4 * terrain.detail;
 }

@@ -19,10 +19,10 @@
 #param terrain.hollow: f32 = 250.0, range 0.1 .. 10000, unit m
 
 #if quality == low
-const LAND_STEPS: i32 = 80;
-const LAND_RELAX: f32 = 0.6;
-const LAND_GROWTH: f32 = 0.008;
-const LAND_SHADOW_STEPS: i32 = 14;
+const LAND_STEPS: i32 = 64;
+const LAND_RELAX: f32 = 0.75;
+const LAND_GROWTH: f32 = 0.012;
+const LAND_SHADOW_STEPS: i32 = 10;
 const LAND_DETAIL: f32 = 3.0; // width of the smallest detail looked at, in pixels
 #elif quality == medium
 const LAND_STEPS: i32 = 150;

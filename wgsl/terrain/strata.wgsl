@@ -42,7 +42,7 @@ fn strata_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
     var albedo = bed_color(beds, footprint);
 
     // Streaks: noise stretched downward, on cliffs only.
-    let cliff = smoothstep(0.75, 0.4, normal.y);
+    let cliff = 1.0 - smoothstep(0.4, 0.75, normal.y);
     let streak_fade = 1.0 - smoothstep(0.2, 0.7, footprint / 9.0);
     let streak = value_noise3(vec3f(position.x / 9.0, position.y / 130.0, position.z / 9.0), 77u);
     let coat = cliff * streak_fade * smoothstep(0.0, 0.8, streak + 0.5 * wander.x);
@@ -51,11 +51,13 @@ fn strata_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
     let loose = smoothstep(0.62, 0.86, normal.y + 0.08 * mottle);
     albedo = mix(albedo, mix(ground.rubble, albedo, 0.45), loose);
     let level = smoothstep(0.90, 0.97, normal.y);
-    let bushes = level * smoothstep(0.75 - ground.scrub_cover, 1.05 - ground.scrub_cover, 0.5 + 0.9 * mottle + 0.3 * wander.x);
+    let thicket = 0.5 + 0.9 * mottle + 0.3 * wander.x + ground.scrub_cover;
+    let bushes = level * smoothstep(0.75, 1.05, thicket);
     albedo = mix(albedo, ground.scrub, 0.85 * bushes);
     albedo *= 1.0 + 0.18 * mottle;
 
-    let grain = weathering_fbm2(position.xz / 4.0, 79u, clamp(log2(4.0 / max(2.0 * footprint, 0.01)), 0.0, 5.0), 0.6, 2.1);
+    let fine = clamp(log2(4.0 / max(2.0 * footprint, 0.01)), 0.0, 5.0);
+    let grain = weathering_fbm2(position.xz / 4.0, 79u, fine, 0.6, 2.1);
     let bent = normalize(normal - 0.09 * vec3f(grain.y, 0.0, grain.z));
     return Surface(clamp(albedo, vec3f(0.0), vec3f(0.95)), bent);
 }

@@ -1,0 +1,254 @@
+//! The command line, as `--help` tells it.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+const EXAMPLES: &str = "\
+Examples:
+  orogen list presets                                  what there is to start from
+  orogen export alpine -o alpine.wgsl                  a standalone shader
+  orogen export alpine --target shadertoy -o alpine.glsl
+  orogen render alpine --set sun.elevation=6 -o dusk.png
+  orogen params alpine                                 what can be set, and to what
+  orogen export alpine --live 'sun.*' --target json    where a host finds the live parameters
+
+A PRESET is a built-in name (alpine), the path of a .json file, the path of a .wgsl file, or a module of the library in
+angle brackets ('<noise/perlin.wgsl>').
+
+Exit status: 0 done; 1 the input is wrong; 2 usage; 3 no GPU adapter.";
+
+/// Composes WGSL fragments for natural environments into shaders and pictures.
+#[derive(Parser)]
+#[command(name = "orogen", version, after_help = EXAMPLES, max_term_width = 110)]
+pub(super) struct Arguments {
+    #[command(flatten)]
+    pub(super) common: Common,
+    #[command(subcommand)]
+    pub(super) command: Command,
+}
+
+#[derive(Args)]
+pub(super) struct Common {
+    /// Lay a folder of fragments over the library (repeatable; the last one wins)
+    #[arg(short = 'I', id = "folders", value_name = "DIR", global = true)]
+    pub(super) folders: Vec<PathBuf>,
+    /// Set a parameter or an option over the preset's value (repeatable)
+    #[arg(long, value_name = "GROUP.NAME=VALUE", global = true)]
+    pub(super) set: Vec<String>,
+    /// Lay a folder over the templates that say what the files look like
+    #[arg(long, value_name = "DIR", global = true)]
+    pub(super) templates: Option<PathBuf>,
+    /// No progress and no hints on standard error
+    #[arg(short, long, global = true)]
+    pub(super) quiet: bool,
+}
+
+#[derive(Subcommand)]
+pub(super) enum Command {
+    /// Write a preset or a fragment as a shader
+    Export(Export),
+    /// Say whether presets and fragments are valid
+    Check(Check),
+    /// Render a preset or a fragment into a picture
+    Render(Render),
+    /// Say what can be set in a preset's scene
+    Params(Params),
+    /// List what the library has, one a line: name, tab, what it is
+    List(List),
+    /// Evaluate a WGSL expression on the GPU, CSV out
+    Eval(Eval),
+}
+
+#[derive(Args)]
+pub(super) struct Baking {
+    /// Keep these parameters live, in a uniform buffer: 'sun.*,clouds.coverage', a group, or 'default'
+    #[arg(long, value_name = "GLOB,…", value_delimiter = ',')]
+    pub(super) live: Vec<String>,
+    /// Make these parameters pipeline overrides
+    #[arg(long, value_name = "GLOB,…", value_delimiter = ',')]
+    pub(super) overrides: Vec<String>,
+}
+
+#[derive(Args)]
+pub(super) struct Export {
+    /// Built-in preset, .json file, .wgsl file, or '<module>' of the library
+    #[arg(value_name = "PRESET|FILE")]
+    pub(super) preset: String,
+    /// What to write
+    #[arg(long, value_enum, default_value = "wgsl")]
+    pub(super) target: Target,
+    /// Which entry point a scene gets: fragment, unless told
+    #[arg(long, value_enum)]
+    pub(super) stage: Option<Stage>,
+    #[command(flatten)]
+    pub(super) baking: Baking,
+    /// Write a Source Map (v3) beside the file, as FILE.map (wgsl only)
+    #[arg(long)]
+    pub(super) source_map: bool,
+    /// Keep declarations that no entry point reaches
+    #[arg(long)]
+    pub(super) keep_unused: bool,
+    /// Where to write; '-' is standard output
+    #[arg(short, value_name = "FILE|-", default_value = "-")]
+    pub(super) output: PathBuf,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Target {
+    /// One standalone WGSL module
+    Wgsl,
+    /// A GLSL file to paste into Shadertoy
+    Shadertoy,
+    /// A GLSL ES 3.00 fragment shader
+    Glsl,
+    /// SPIR-V 1.3, binary
+    Spirv,
+    /// HLSL, shader model 6.0
+    Hlsl,
+    /// Metal Shading Language
+    Msl,
+    /// The interface: entry points, bindings, uniform layout, overrides, parameters
+    Json,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Stage {
+    /// A vertex and a fragment entry point
+    Fragment,
+    /// A compute entry point that writes a storage texture
+    Compute,
+}
+
+#[derive(Args)]
+pub(super) struct Check {
+    /// Built-in presets, .json files, .wgsl files, or '<modules>' of the library
+    #[arg(value_name = "PRESET|FILE", required = true)]
+    pub(super) presets: Vec<String>,
+    /// How to say what is wrong: text on standard error, or one JSON object a line on standard output
+    #[arg(long, value_enum, default_value = "text")]
+    pub(super) message_format: MessageFormat,
+}
+
+#[derive(Clone, Copy, PartialEq, ValueEnum)]
+pub(super) enum MessageFormat {
+    /// For people
+    Text,
+    /// For editors and scripts
+    Json,
+}
+
+#[derive(Args)]
+pub(super) struct Render {
+    /// Built-in preset, .json file or .wgsl file
+    #[arg(value_name = "PRESET|FILE")]
+    pub(super) preset: String,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
+    pub(super) size: (u32, u32),
+    /// Frames to average for every picture, each with its rays moved inside the pixel
+    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=65536))]
+    pub(super) samples: u32,
+    /// The time of the (first) picture, in seconds
+    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = finite)]
+    pub(super) time: f32,
+    /// Write a sequence of so many pictures, numbered
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    pub(super) frames: Option<u32>,
+    /// Pictures a second in a sequence
+    #[arg(long, value_name = "F", default_value_t = 30.0, value_parser = rate)]
+    pub(super) fps: f32,
+    #[command(flatten)]
+    pub(super) baking: Baking,
+    /// Part of the GPU adapter's name; WGPU_ADAPTER_NAME does the same
+    #[arg(long, value_name = "NAME")]
+    pub(super) adapter: Option<String>,
+    /// Where to write: .png (8 bits, sRGB) or .exr (32-bit floats, linear); NAME.png unless told
+    #[arg(short, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}
+
+#[derive(Args)]
+pub(super) struct Params {
+    /// Built-in preset, .json file, .wgsl file, or '<module>' of the library
+    #[arg(value_name = "PRESET|FILE")]
+    pub(super) preset: String,
+    /// How to write it
+    #[arg(long, value_enum, default_value = "table")]
+    pub(super) format: ParamsFormat,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum ParamsFormat {
+    /// Aligned columns: name, type, value, range, what it is
+    Table,
+    /// All that the declarations say
+    Json,
+    /// A JSON Schema of the scene's presets
+    Schema,
+    /// A Markdown table
+    Markdown,
+}
+
+#[derive(Args)]
+pub(super) struct List {
+    /// What to list
+    #[arg(value_enum)]
+    pub(super) what: Listing,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Listing {
+    /// Built-in presets
+    Presets,
+    /// Fragments that are whole pictures
+    Scenes,
+    /// All fragments
+    Modules,
+    /// What a preset can choose in any of them
+    Options,
+}
+
+#[derive(Args)]
+#[command(after_help = "\
+The columns of the points are variables of the expression: 'name' is an f32, 'name:u32' and 'name:i32' are integers.
+Columns x,y[,z[,w]] also make the vector p.
+
+  orogen eval 'perlin_noise2(p, 7u)' --include '<noise/perlin.wgsl>' --points points.csv
+  orogen eval 'terrain_height(p)' --include '<terrain/height.wgsl>' --preset alpine --points points.csv
+  orogen eval 'pcg(i)' --include '<noise/pcg.wgsl>' --points indices.csv       # whose header is i:u32")]
+pub(super) struct Eval {
+    /// A WGSL expression
+    #[arg(value_name = "EXPR")]
+    pub(super) expression: String,
+    /// A fragment whose functions the expression calls: '<noise/perlin.wgsl>' of the library, or a file (repeatable)
+    #[arg(long, value_name = "FRAGMENT")]
+    pub(super) include: Vec<String>,
+    /// The preset whose values the parameters have; their defaults unless told
+    #[arg(long, value_name = "PRESET")]
+    pub(super) preset: Option<String>,
+    /// CSV of the points to evaluate at; '-' is standard input; without it, one evaluation
+    #[arg(long, value_name = "FILE.csv|-")]
+    pub(super) points: Option<PathBuf>,
+    /// Part of the GPU adapter's name; WGPU_ADAPTER_NAME does the same
+    #[arg(long, value_name = "NAME")]
+    pub(super) adapter: Option<String>,
+}
+
+fn size(text: &str) -> Result<(u32, u32), String> {
+    let parts = text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+    match parts {
+        Some((0, _) | (_, 0)) => Err("a picture has at least one pixel each way".into()),
+        Some(size) => Ok(size),
+        None => Err("write WIDTHxHEIGHT, as in 960x540".into()),
+    }
+}
+
+fn finite(text: &str) -> Result<f32, String> {
+    text.parse().ok().filter(|value: &f32| value.is_finite()).ok_or_else(|| "write seconds, as in 7.5".into())
+}
+
+fn rate(text: &str) -> Result<f32, String> {
+    let rate = text.parse().ok().filter(|value: &f32| value.is_finite() && *value > 0.0);
+    rate.ok_or_else(|| "write pictures a second, as in 24".into())
+}

@@ -1,0 +1,98 @@
+//! The interface of a shader as JSON: [`Shader`] → everything that a host may want to know.
+
+use serde::Serialize;
+use serde_json::{Map, Value as Json};
+
+use crate::bake::{Interface, Storage, number};
+use crate::compose::{Choice, Parameter};
+use crate::shader::Shader;
+use crate::syntax::{OptionValue, Value};
+
+#[derive(Serialize)]
+struct Document<'a> {
+    /// Orogen's version.
+    orogen: &'static str,
+    name: &'a str,
+    about: &'a str,
+    /// In force, by key.
+    options: Map<String, Json>,
+    parameters: Vec<Entry<'a>>,
+    #[serde(flatten)]
+    interface: &'a Interface,
+}
+
+/// A parameter, its value in the declared unit.
+#[derive(Serialize)]
+struct Entry<'a> {
+    key: String,
+    #[serde(rename = "type")]
+    ty: &'static str,
+    storage: &'static str,
+    /// Whether the code reads it.
+    read: bool,
+    value: Json,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    unit: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    range: Option<(f64, f64)>,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    color: bool,
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    log: bool,
+    doc: &'a str,
+}
+
+pub(super) fn interface(shader: &Shader) -> String {
+    let baked = &shader.checked().baked;
+    let composition = &baked.composition;
+    let parameters = composition.parameters.iter().zip(&baked.storage);
+    let document = Document {
+        orogen: env!("CARGO_PKG_VERSION"),
+        name: &composition.name,
+        about: &composition.about,
+        options: composition.options.iter().map(|one| (one.decl.key.to_string(), option(one))).collect(),
+        parameters: parameters.map(|(parameter, storage)| entry(parameter, *storage)).collect(),
+        interface: shader.interface(),
+    };
+    // Strings and numbers only: nothing in it can fail to be written.
+    serde_json::to_string_pretty(&document).unwrap_or_default() + "\n"
+}
+
+fn entry(parameter: &Parameter, storage: Storage) -> Entry<'_> {
+    let decl = &parameter.decl;
+    Entry {
+        key: decl.key.to_string(),
+        ty: decl.ty.name(),
+        storage: match storage {
+            Storage::Const => "const",
+            Storage::Override => "override",
+            Storage::Uniform => "uniform",
+            Storage::Variable => "variable",
+        },
+        read: parameter.read,
+        value: value(&parameter.value),
+        unit: decl.unit.as_deref(),
+        range: decl.range,
+        color: decl.color,
+        log: decl.log,
+        doc: &decl.doc,
+    }
+}
+
+fn value(value: &Value) -> Json {
+    match value {
+        Value::Bool(value) => (*value).into(),
+        Value::I32(value) => (*value).into(),
+        Value::U32(value) => (*value).into(),
+        Value::F32(value) => number(*value),
+        vector => vector.floats().iter().map(|value| number(*value)).collect(),
+    }
+}
+
+fn option(option: &Choice) -> Json {
+    match option.value {
+        OptionValue::Bool(value) => value.into(),
+        OptionValue::Integer(value) => value.into(),
+        OptionValue::Choice(_) => option.decl.show(option.value).into(),
+    }
+}

@@ -1,0 +1,108 @@
+//! What can be written, and how each wants the shader composed: name → [`Target`] → [`Stage`], [`Bake`].
+
+use std::fmt;
+use std::str::FromStr;
+
+use super::error::ExportError;
+use crate::bake::Bake;
+
+/// The stage of the entry point that a scene gets.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Stage {
+    /// A triangle over the whole target, and a fragment entry point.
+    #[default]
+    Fragment,
+    /// A compute entry point that writes a storage texture.
+    Compute,
+    /// `main_image` itself is what the target calls. The origin of its pixels is at the bottom left, as in OpenGL.
+    MainImage,
+}
+
+/// A kind of file.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Target {
+    /// The composed WGSL itself.
+    #[default]
+    Wgsl,
+    /// One file to paste into Shadertoy's editor.
+    Shadertoy,
+    /// GLSL ES 3.00, as WebGL 2 compiles it: one fragment shader.
+    Glsl,
+    /// SPIR-V 1.3, as Vulkan 1.1 takes it, little-endian: all entry points.
+    Spirv,
+    /// HLSL for shader model 6.0: all entry points.
+    Hlsl,
+    /// Metal's language, version 2.1: all entry points.
+    Msl,
+    /// What a host needs to know of the shader.
+    Json,
+}
+
+impl Target {
+    /// All of them.
+    pub const ALL: [Self; 7] =
+        [Self::Wgsl, Self::Shadertoy, Self::Glsl, Self::Spirv, Self::Hlsl, Self::Msl, Self::Json];
+
+    /// Its name: `wgsl`, `shadertoy`, `glsl`, `spirv`, `hlsl`, `msl`, `json`.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Wgsl => "wgsl",
+            Self::Shadertoy => "shadertoy",
+            Self::Glsl => "glsl",
+            Self::Spirv => "spirv",
+            Self::Hlsl => "hlsl",
+            Self::Msl => "msl",
+            Self::Json => "json",
+        }
+    }
+
+    /// What its files are called after the dot: `alpine.shadertoy.glsl`.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Self::Wgsl => "wgsl",
+            Self::Shadertoy => "shadertoy.glsl",
+            Self::Glsl => "frag",
+            Self::Spirv => "spv",
+            Self::Hlsl => "hlsl",
+            Self::Msl => "metal",
+            Self::Json => "json",
+        }
+    }
+
+    /// Which entry point a scene gets, for [`Compose::stage`](crate::Compose::stage); `requested` is the user's wish.
+    ///
+    /// GLSL and Shadertoy call `main_image`, since their pixels count from the bottom left as its do.
+    ///
+    /// # Errors
+    /// Where the target has no such stage.
+    pub fn stage(self, requested: Option<Stage>) -> Result<Stage, crate::Error> {
+        match (self, requested) {
+            (Self::Glsl | Self::Shadertoy, Some(Stage::Compute)) => {
+                Err(ExportError::Stage { target: self }.bare())
+            }
+            (Self::Glsl | Self::Shadertoy, _) => Ok(Stage::MainImage),
+            (_, requested) => Ok(requested.unwrap_or_default()),
+        }
+    }
+
+    /// How parameters are to be baked: on Shadertoy, live ones are global variables, since no host sets uniforms there.
+    #[must_use]
+    pub fn bake(self, bake: Bake) -> Bake {
+        if self == Self::Shadertoy { bake.as_variables() } else { bake }
+    }
+}
+
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl FromStr for Target {
+    type Err = crate::Error;
+
+    fn from_str(name: &str) -> Result<Self, Self::Err> {
+        let found = Self::ALL.into_iter().find(|target| target.name() == name);
+        found.ok_or_else(|| ExportError::UnknownTarget { name: name.to_owned() }.bare())
+    }
+}

@@ -1,0 +1,352 @@
+//! The `orogen` binary, as somebody at a terminal or a script meets it.
+
+use std::fs;
+use std::io::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+
+fn orogen(arguments: &[&str]) -> Output {
+    command(arguments).output().expect("the binary starts")
+}
+
+fn command(arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_orogen"));
+    command.args(arguments);
+    command
+}
+
+fn status(output: &Output) -> i32 {
+    output.status.code().expect("it exits by itself")
+}
+
+fn out(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+fn err(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn folder() -> tempfile::TempDir {
+    tempfile::tempdir().expect("there is room for a folder")
+}
+
+fn put(folder: &tempfile::TempDir, name: &str, text: &str) -> String {
+    let path = folder.path().join(name);
+    fs::create_dir_all(path.parent().expect("it is in a folder")).expect("folders can be made");
+    fs::write(&path, text).expect("it can be written");
+    path.display().to_string()
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("it is a folder");
+    let mut paths: Vec<_> = entries.map(|entry| entry.expect("it can be read").path()).collect();
+    paths.sort();
+    paths
+}
+
+#[test]
+fn help_teaches_every_command() {
+    let help = orogen(&["--help"]);
+    assert_eq!(status(&help), 0);
+    for word in ["export", "check", "render", "params", "list", "eval", "Exit status", "orogen export alpine"]
+    {
+        assert!(out(&help).contains(word), "{word}");
+    }
+    for command in ["export", "check", "render", "params", "list", "eval"] {
+        assert_eq!(status(&orogen(&[command, "--help"])), 0, "{command}");
+    }
+    assert!(out(&orogen(&["--version"])).starts_with("orogen 0."));
+}
+
+#[test]
+fn what_makes_no_sense_exits_with_2() {
+    for arguments in [
+        &[] as &[&str],
+        &["exprot", "alpine"],
+        &["export"],
+        &["export", "alpine", "--target", "pdf"],
+        &["export", "alpine", "--source-map"],
+        &["export", "alpine", "--target", "glsl", "--stage", "compute"],
+        &["render", "alpine", "--size", "0x5"],
+        &["render", "alpine", "--size", "banana"],
+        &["render", "alpine", "--size", "99999999999x5"],
+        &["render", "alpine", "--samples", "0"],
+        &["render", "alpine", "--time", "inf"],
+        &["render", "alpine", "--frames", "0"],
+        &["render", "alpine", "--fps", "-3"],
+        &["params", "alpine", "--format", "xml"],
+        &["list", "everything"],
+        &["check"],
+        &["check", "alpine", "-I", "no/such/folder"],
+        &["export", "alpine", "--templates", "no/such/folder"],
+    ] {
+        let output = orogen(arguments);
+        assert_eq!(status(&output), 2, "{arguments:?}: {}", err(&output));
+        assert!(!err(&output).is_empty(), "{arguments:?}");
+        assert!(out(&output).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn wrong_input_exits_with_1_and_says_why() {
+    let folder = folder();
+    let broken = put(&folder, "broken.wgsl", "fn main() -> f32 { return nothing; }\n");
+    let preset = put(
+        &folder,
+        "preset.json",
+        "{\"orogen\": 1, \"extends\": \"alpine\", \"set\": {\"sun\": {\"azimut\": 3}}}",
+    );
+    for (arguments, says) in [
+        (&["export", "alpin"] as &[&str], "did you mean `alpine`?"),
+        (&["export", "no/such.wgsl"], "was not found"),
+        (&["export", "no/such.json"], "cannot be read"),
+        (&["check", &broken], "broken.wgsl:1:27"),
+        (&["export", &preset], "did you mean `sun.azimuth`?"),
+        (&["export", "alpine", "--set", "sun.elevation=120"], "out of range"),
+        (&["export", "alpine", "--set", "sun.elevation"], "there is no `=`"),
+        (&["export", "alpine", "--set", "=3"], "there is no name"),
+        (&["export", "alpine", "--live", "son.*"], "matches no parameter"),
+        (&["export", "alpine", "--overrides", "quality"], "this is an option"),
+        (&["export", "<noise/perlim.wgsl>"], "did you mean `noise/perlin.wgsl`?"),
+        (&["render", "alpine", "-o", "picture.bmp"], "png"),
+        (&["render", "<noise/perlin.wgsl>", "-o", "picture.png"], "entry point"),
+    ] {
+        let output = orogen(arguments);
+        assert_eq!(status(&output), 1, "{arguments:?}: {}", err(&output));
+        assert!(err(&output).contains(says), "{arguments:?}: {}", err(&output));
+        assert!(out(&output).is_empty(), "{arguments:?}");
+    }
+}
+
+#[test]
+fn export_writes_each_target() {
+    let folder = folder();
+    for (target, starts) in [
+        ("wgsl", "//"),
+        ("shadertoy", "//"),
+        ("glsl", "#version 300 es"),
+        ("hlsl", "//"),
+        ("msl", "//"),
+        ("json", "{"),
+        ("spirv", "\u{3}\u{2}#\u{7}"),
+    ] {
+        let path = folder.path().join(target);
+        let shown = path.display().to_string();
+        let output = orogen(&["export", "dunes", "--target", target, "-o", &shown]);
+        assert_eq!(status(&output), 0, "{target}: {}", err(&output));
+        let bytes = fs::read(&path).expect("it was written");
+        assert!(bytes.starts_with(starts.as_bytes()), "{target}");
+    }
+    assert_eq!(files(folder.path()).len(), 7, "no temporary file is left");
+    let printed = orogen(&["export", "dunes"]);
+    let written = fs::read(folder.path().join("wgsl")).expect("it was written");
+    assert_eq!(printed.stdout, written, "standard output gets the same");
+}
+
+#[test]
+fn a_failed_run_leaves_the_file_as_it_was() {
+    let folder = folder();
+    let target = put(&folder, "alpine.wgsl", "precious");
+    let output = orogen(&["export", "alpine", "--set", "sun.elevation=120", "-o", &target]);
+    assert_eq!(status(&output), 1);
+    assert_eq!(fs::read_to_string(&target).expect("it is there"), "precious");
+    assert_eq!(files(folder.path()).len(), 1);
+
+    let nowhere = folder.path().join("no/such/folder/x.wgsl").display().to_string();
+    let output = orogen(&["export", "alpine", "-o", &nowhere]);
+    assert_eq!(status(&output), 1);
+    assert!(err(&output).contains("cannot be written"), "{}", err(&output));
+}
+
+#[test]
+fn a_source_map_stands_beside_its_file() {
+    let folder = folder();
+    let path = folder.path().join("dunes.wgsl").display().to_string();
+    let output = orogen(&["export", "dunes", "--source-map", "-o", &path]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    let map = fs::read_to_string(path + ".map").expect("it was written");
+    let map: serde_json::Value = serde_json::from_str(&map).expect("a source map is JSON");
+    assert_eq!(map["version"], 3);
+    assert_eq!(map["file"], "dunes.wgsl");
+}
+
+#[test]
+fn check_tells_tools_in_json_lines() {
+    let folder = folder();
+    let broken = put(&folder, "broken.wgsl", "// é\nfn main() -> f32 { /* é */ return nothing; }\n");
+    let output = orogen(&["check", "alpine", &broken, "--message-format", "json"]);
+    assert_eq!(status(&output), 1);
+    let text = out(&output);
+    let lines: Vec<serde_json::Value> =
+        text.lines().map(|line| serde_json::from_str(line).expect("each line is JSON")).collect();
+    assert_eq!(lines.len(), 1, "alpine is right: {text}");
+    let line = &lines[0];
+    assert_eq!(line["severity"], "error");
+    assert_eq!(line["code"], "OR0701");
+    let span = &line["spans"][0];
+    assert_eq!(span["file"], broken.as_str());
+    assert_eq!([&span["line"], &span["column"]], [2, 35], "columns are characters: {span}");
+    assert_eq!([&span["end_line"], &span["end_column"]], [2, 42], "{span}");
+    assert_eq!(span["primary"], true);
+    for key in ["message", "notes", "help"] {
+        assert!(line.get(key).is_some(), "{key}");
+    }
+}
+
+#[test]
+fn check_reads_presets_scenes_and_modules() {
+    let output = orogen(&["check", "alpine", "dunes", "canyon", "<noise/perlin.wgsl>", "<fractal/fbm.wgsl>"]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    assert!(out(&output).is_empty());
+    assert!(err(&output).contains("5 presets checked"), "{}", err(&output));
+    assert!(err(&orogen(&["check", "alpine", "--quiet"])).is_empty());
+}
+
+#[test]
+fn lists_are_a_name_a_tab_and_what_it_is() {
+    for what in ["presets", "scenes", "modules", "options"] {
+        let output = orogen(&["list", what]);
+        assert_eq!(status(&output), 0);
+        assert!(!out(&output).is_empty(), "{what}");
+        for line in out(&output).lines() {
+            let (name, about) = line.split_once('\t').expect("a tab");
+            assert!(!name.is_empty() && !about.is_empty(), "{what}: {line}");
+        }
+    }
+    assert!(out(&orogen(&["list", "scenes"])).contains("scene/landscape.wgsl\t"));
+}
+
+#[test]
+fn params_come_in_four_forms() {
+    let table = out(&orogen(&["params", "alpine", "--set", "sun.elevation=6"]));
+    let line =
+        table.lines().find(|line| line.starts_with("sun.elevation ")).expect("the sun has an elevation");
+    assert!(line.contains("f32") && line.contains(" 6 ") && line.contains("-90 .. 90 deg"), "{line}");
+    assert!(out(&orogen(&["params", "alpine", "--format", "markdown"])).starts_with("| name |"));
+    for format in ["json", "schema"] {
+        let text = out(&orogen(&["params", "alpine", "--format", format]));
+        let json: serde_json::Value = serde_json::from_str(&text).expect("it is JSON");
+        assert!(json.is_object());
+    }
+}
+
+#[test]
+fn a_folder_over_the_library_wins() {
+    let folder = folder();
+    put(&folder, "noise/pcg.wgsl", "// Ours.\nfn pcg(v: u32) -> u32 { return v + 41u; }\n");
+    let dir = folder.path().display().to_string();
+    let output = orogen(&["export", "<noise/pcg.wgsl>", "-I", &dir]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    assert!(out(&output).contains("v + 41u"));
+}
+
+#[test]
+fn a_template_of_ones_own_changes_the_look() {
+    let folder = folder();
+    put(
+        &folder,
+        "wgsl.jinja",
+        "// Mine: {{ name }}\n{% for module in modules %}{{ module.lines[0] }}{% endfor %}",
+    );
+    let source = put(&folder, "one.wgsl", "const one = 1;\n");
+    let dir = folder.path().display().to_string();
+    let output = orogen(&["export", &source, "--templates", &dir]);
+    assert_eq!(out(&output), "// Mine: one\nconst one = 1;\n", "{}", err(&output));
+    put(&folder, "wgsl.jinja", "{{ no_such_name }}");
+    let output = orogen(&["export", &source, "--templates", &dir]);
+    assert_eq!(status(&output), 1);
+    assert!(err(&output).contains("wgsl.jinja"), "{}", err(&output));
+}
+
+#[test]
+fn a_reader_that_has_had_enough_is_no_failure() {
+    let mut child =
+        command(&["export", "alpine"]).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("starts");
+    drop(child.stdout.take()); // as `| head -0` does
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    assert!(err(&output).is_empty(), "{}", err(&output));
+}
+
+#[test]
+fn eval_reads_points_and_writes_csv() {
+    let folder = folder();
+    let points = put(&folder, "points.csv", "x,y\n0.5,0.25\n-3,1e3\n");
+    let arguments = ["eval", "vec2f(x + y, p.x)", "--points", &points];
+    let output = orogen(&arguments);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    assert_eq!(out(&output), "x,y\n0.75,0.5\n997.0,-3.0\n");
+
+    let mut child = command(&["eval", "i * 2u", "--points", "-"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    child.stdin.take().expect("it reads").write_all(b"i:u32\n4000000000\n7\n").expect("it listens");
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(out(&output), "value\n3705032704\n14\n", "integers wrap");
+
+    assert_eq!(out(&orogen(&["eval", "1.5 + 2.0"])), "value\n3.5\n");
+    let noise =
+        orogen(&["eval", "perlin_noise2(p, 7u)", "--include", "<noise/perlin.wgsl>", "--points", &points]);
+    assert_eq!(out(&noise).lines().count(), 3, "{}", err(&noise));
+}
+
+#[test]
+fn eval_says_what_is_wrong_with_the_points() {
+    let folder = folder();
+    for (csv, says) in [
+        ("x,y\n1\n", "line 2"),
+        ("x\n1\nbanana\n", "line 3"),
+        ("x:u32\n-1\n", "line 2"),
+        ("x:f64\n1\n", "f64"),
+        ("x,x\n1,2\n", "x"),
+        ("9x\n1\n", "9x"),
+        ("", "header"),
+    ] {
+        let points = put(&folder, "points.csv", csv);
+        let output = orogen(&["eval", "1.0", "--points", &points]);
+        assert_eq!(status(&output), 1, "{csv:?}: {}", err(&output));
+        assert!(err(&output).contains(says), "{csv:?}: {}", err(&output));
+    }
+}
+
+#[test]
+fn render_writes_pictures_and_sequences() {
+    let folder = folder();
+    let path = |name: &str| folder.path().join(name).display().to_string();
+    let scene = put(
+        &folder,
+        "ramp.wgsl",
+        "#include <frame.wgsl>\nfn main_image(p: vec2f) -> vec4f { return vec4f(p / frame.resolution, fract(frame.time), 1.0); }\n",
+    );
+    let output = orogen(&["render", &scene, "--size", "32x16", "-o", &path("ramp.png")]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    let picture = image::open(path("ramp.png")).expect("it is a PNG").to_rgb8();
+    assert_eq!(picture.dimensions(), (32, 16));
+    assert!(
+        picture.get_pixel(31, 0)[1] > 240 && picture.get_pixel(31, 15)[1] < 16,
+        "the origin is at the bottom"
+    );
+    let output = orogen(&["render", &scene, "--size", "8x8", "-o", &path("ramp.exr")]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    let output =
+        orogen(&["render", &scene, "--size", "8x8", "--frames", "3", "--fps", "4", "-o", &path("seq.png")]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    for (index, blue) in [(1, 0u8), (2, 64), (3, 128)] {
+        let frame = image::open(path(&format!("seq_000{index}.png"))).expect("it is numbered").to_rgb8();
+        assert!(frame.get_pixel(0, 0)[2].abs_diff(blue) <= 2, "frame {index}: {:?}", frame.get_pixel(0, 0));
+    }
+}
+
+#[test]
+fn without_an_adapter_the_status_is_3_and_the_cure_is_told() {
+    let output = command(&["eval", "1.0"])
+        .env("VK_DRIVER_FILES", "/nonexistent.json")
+        .env("VK_ICD_FILENAMES", "/nonexistent.json")
+        .output()
+        .expect("it starts");
+    assert_eq!(status(&output), 3, "{}", err(&output));
+    assert!(err(&output).contains("mesa-vulkan-drivers"), "{}", err(&output));
+}

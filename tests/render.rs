@@ -1,0 +1,458 @@
+//! Pictures: the same in every baking, whatever the tiles; averaged over samples; dithered without a bias; and an error
+//! that says what to do for everything that cannot be drawn.
+//!
+//! `UPDATE=1 cargo test --test render` writes the golden pictures and the expected error texts anew.
+
+#![cfg(feature = "render")]
+
+use std::path::{Path, PathBuf};
+use std::sync::{LazyLock, OnceLock};
+
+use orogen::render::{
+    Format, Gpu, Picture, Shot, encode, is_no_adapter, jitter, render, srgb_encode, to_srgb8,
+};
+use orogen::{Bake, Compose, Error, Library, Preset, Shader, compose};
+
+/// One for all tests: opening a device takes longer than a small picture.
+static GPU: LazyLock<Gpu> =
+    LazyLock::new(|| Gpu::new(None).expect("the tests run on lavapipe: `cargo xtask test`"));
+
+const SIZE: (u32, u32) = (256, 144);
+
+fn shader(preset: &Preset, bake: &Bake) -> Shader {
+    compose(&Library::standard(), preset, bake).expect("it composes")
+}
+
+fn draw(preset: &Preset, bake: &Bake, shot: &Shot) -> Picture {
+    render(&GPU, &shader(preset, bake), preset, shot, &mut |_, _| {}).expect("it can be drawn")
+}
+
+/// A built-in preset with its values baked in as constants. Each is drawn once for all tests.
+fn constant(name: &str) -> &'static Picture {
+    static PICTURES: LazyLock<Vec<(&str, OnceLock<Picture>)>> = LazyLock::new(|| {
+        orogen::source::preset_names().into_iter().map(|name| (name, OnceLock::new())).collect()
+    });
+    let (_, picture) = PICTURES.iter().find(|(known, _)| *known == name).expect("it is built in");
+    picture.get_or_init(|| {
+        let preset = Preset::named(name).expect("it is built in");
+        draw(&preset, &Bake::constants(), &Shot::new(SIZE.0, SIZE.1))
+    })
+}
+
+/// A scene of a few lines.
+fn scene(main_image: &str) -> Preset {
+    Preset::of_text(
+        "scene.wgsl",
+        &format!("#include <frame.wgsl>\nfn main_image(p: vec2f) -> vec4f {{ {main_image} }}"),
+    )
+}
+
+fn refusal(preset: &Preset, shot: &Shot) -> Error {
+    let shader =
+        Compose::default().run(&Library::standard(), preset, &Bake::constants()).expect("it composes");
+    render(&GPU, &shader, preset, shot, &mut |_, _| {}).expect_err("it cannot be drawn")
+}
+
+/// Holds `text` against the file of that name.
+fn expect_text(name: &str, text: &str) {
+    let path = Path::new("tests/render").join(name);
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(&path, text).expect("the folder is there");
+    }
+    let expected = std::fs::read_to_string(&path).unwrap_or_default();
+    assert_eq!(text, expected, "{} differs; UPDATE=1 writes it anew", path.display());
+}
+
+// ---- the same picture in every baking ----
+
+#[test]
+fn alpine_is_the_same_picture_in_every_baking() {
+    every_baking("alpine");
+}
+
+#[test]
+fn canyon_is_the_same_picture_in_every_baking() {
+    every_baking("canyon");
+}
+
+#[test]
+fn dunes_is_the_same_picture_in_every_baking() {
+    every_baking("dunes");
+}
+
+fn every_baking(name: &str) {
+    let preset = Preset::named(name).expect("it is built in");
+    let shot = Shot::new(SIZE.0, SIZE.1);
+    let constant = constant(name);
+    let bakings = [
+        ("overrides", Bake::constants().with_overrides(["*"])),
+        ("uniform", Bake::live(["*"])),
+        ("mixed", Bake::live(["sun.*"]).with_overrides(["terrain.*"])),
+    ];
+    for (baking, bake) in bakings {
+        let other = draw(&preset, &bake, &shot);
+        let (close, psnr) = compare(constant, &other);
+        assert!(
+            close >= 0.999,
+            "{name}, {baking}: only {:.3} % of the pixels are within 1/255",
+            100.0 * close
+        );
+        assert!(psnr >= 50.0, "{name}, {baking}: PSNR {psnr:.1} dB");
+    }
+}
+
+/// The fraction of pixels within 1/255, and the PSNR in dB, both sRGB-encoded.
+fn compare(a: &Picture, b: &Picture) -> (f64, f64) {
+    assert_eq!((a.width, a.height), (b.width, b.height));
+    let (mut close, mut squares) = (0, 0.0);
+    for (a, b) in a.pixels.iter().zip(&b.pixels) {
+        let error = |i: usize| f64::from(encoded(a[i]) - encoded(b[i]));
+        let errors = [error(0), error(1), error(2)];
+        close += usize::from(errors.iter().all(|error| error.abs() <= 1.0 / 255.0));
+        squares += errors.iter().map(|error| error * error).sum::<f64>();
+    }
+    let count = a.pixels.len() as f64;
+    (close as f64 / count, -10.0 * (squares / (3.0 * count)).max(1e-20).log10())
+}
+
+fn encoded(linear: f32) -> f32 {
+    srgb_encode(linear).clamp(0.0, 1.0)
+}
+
+// ---- golden pictures ----
+
+#[test]
+fn every_built_in_preset_looks_as_it_did() {
+    for name in orogen::source::preset_names() {
+        let picture = constant(name);
+        let path = PathBuf::from(format!("tests/render/{name}.png"));
+        if std::env::var_os("UPDATE").is_some() {
+            let bytes = encode(picture, Format::Png).expect("it can be encoded");
+            std::fs::write(&path, bytes).expect("the folder is there");
+        }
+        let golden = std::fs::read(&path).unwrap_or_default();
+        assert!(!golden.is_empty(), "{} is not there; UPDATE=1 writes it", path.display());
+        let golden = image(&golden);
+        let drawn = to_srgb8(picture);
+        assert_eq!(golden.len(), drawn.len(), "{name}: another size");
+        let verdict = alike(&golden, &drawn);
+        let beside = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.png"));
+        if verdict.is_err() {
+            let bytes = encode(picture, Format::Png).expect("it can be encoded");
+            std::fs::write(&beside, bytes).expect("the folder is there");
+        }
+        assert_eq!(verdict, Ok(()), "{name}: compare {} with {}", path.display(), beside.display());
+    }
+}
+
+/// Red, green, blue and alpha of a PNG.
+fn image(file: &[u8]) -> Vec<u8> {
+    image::load_from_memory(file).expect("it is a PNG").to_rgba8().into_raw()
+}
+
+/// Whether two pictures look alike, at several scales: other rasterisers round silhouettes and noise differently, which a
+/// mean over 4×4 and 16×16 pixels forgives and an eye does not see; a colour, a shape or the light that changed stays.
+fn alike(a: &[u8], b: &[u8]) -> Result<(), String> {
+    // (side of the squares, largest difference of the mean over all of them, and of any one of them but the worst 0.5 %)
+    for (side, mean_most, each_most) in [(1, 2.5, 48.0), (4, 1.5, 12.0), (16, 1.0, 5.0)] {
+        let (a, b) = (shrunk(a, side), shrunk(b, side));
+        let mut errors: Vec<f64> = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).collect();
+        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
+        errors.sort_by(f64::total_cmp);
+        let each = errors[(errors.len() - 1) * 995 / 1000];
+        if mean > mean_most || each > each_most {
+            return Err(format!(
+                "over {side}×{side} pixels the mean error is {mean:.2}/255 (at most {mean_most}), the 99.5th percentile \
+                 {each:.2}/255 (at most {each_most})"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Means over squares, of red, green and blue.
+fn shrunk(picture: &[u8], side: usize) -> Vec<f64> {
+    let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
+    let mut means = Vec::new();
+    for y in (0..height).step_by(side) {
+        for x in (0..width).step_by(side) {
+            for channel in 0..3 {
+                let square = (0..side * side).map(|i| (y + i / side) * width + x + i % side);
+                let sum: f64 = square.map(|pixel| f64::from(picture[pixel * 4 + channel])).sum();
+                means.push(sum / (side * side) as f64);
+            }
+        }
+    }
+    means
+}
+
+#[test]
+fn the_golden_metric_forgives_noise_and_sees_a_change_of_light() {
+    let flat = vec![120_u8; (SIZE.0 * SIZE.1 * 4) as usize];
+    let noisy: Vec<u8> = flat.iter().enumerate().map(|(i, v)| v + (i * 7 % 3) as u8 - 1).collect();
+    let brighter: Vec<u8> = flat.iter().map(|v| v + 4).collect();
+    let mut patch = flat.clone();
+    for y in 40..72 {
+        for x in 40..72 {
+            patch[(y * SIZE.0 as usize + x) * 4] = 150;
+        }
+    }
+    assert_eq!(alike(&flat, &noisy), Ok(()));
+    assert!(alike(&flat, &brighter).is_err());
+    assert!(alike(&flat, &patch).is_err());
+}
+
+// ---- tiles, samples, frames ----
+
+#[test]
+fn the_size_of_the_tiles_makes_no_difference() {
+    let mut preset = Preset::named("alpine").expect("it is built in");
+    preset.set("quality=low").expect("it is an option");
+    let [small, large] = [64, 256].map(|tile| {
+        let shot = Shot { samples: 2, tile: Some(tile), ..Shot::new(200, 100) };
+        draw(&preset, &Bake::constants(), &shot)
+    });
+    assert_eq!(small, large);
+}
+
+#[test]
+fn progress_counts_every_tile_of_every_sample() {
+    let preset = scene("return vec4f(p.x + frame.jitter.x);");
+    let shader = shader(&preset, &Bake::constants());
+    let shot = Shot { samples: 3, tile: Some(16), ..Shot::new(40, 20) };
+    let mut seen = Vec::new();
+    render(&GPU, &shader, &preset, &shot, &mut |done, total| seen.push((done, total)))
+        .expect("it can be drawn");
+    assert_eq!(seen, (1..=18).map(|done| (done, 18)).collect::<Vec<_>>()); // 3 × 2 tiles, 3 samples
+}
+
+#[test]
+fn samples_are_averaged_in_linear_light() {
+    // An edge down the middle of pixel 4, which covers half of it.
+    let preset = scene("return vec4f(vec3f(step(4.5, p.x)), 1.0);");
+    let once = draw(&preset, &Bake::constants(), &Shot::new(9, 2));
+    let often = draw(&preset, &Bake::constants(), &Shot { samples: 64, ..Shot::new(9, 2) });
+    for (index, pixel) in often.pixels.iter().enumerate() {
+        let x = index % 9;
+        let expected = if x < 4 {
+            0.0
+        } else if x > 4 {
+            1.0
+        } else {
+            0.5
+        };
+        assert!((pixel[0] - expected).abs() < 0.02, "pixel {x} is {}", pixel[0]);
+        assert_eq!(pixel[3], 1.0);
+    }
+    assert_eq!(once.pixels[4][0], 1.0); // its centre is on the bright side
+}
+
+#[test]
+fn samples_cover_the_pixel_evenly_from_its_centre_on() {
+    assert_eq!(jitter(0), [0.0, 0.0]);
+    let mut cells = [0; 16];
+    for index in 0..256 {
+        let [x, y] = jitter(index);
+        assert!((-0.5..0.5).contains(&x) && (-0.5..0.5).contains(&y));
+        cells[((x + 0.5) * 4.0) as usize + 4 * ((y + 0.5) * 4.0) as usize] += 1;
+    }
+    assert!(cells.iter().all(|count| (13..=19).contains(count)), "{cells:?}");
+}
+
+#[test]
+fn a_shader_that_reads_no_jitter_is_drawn_once() {
+    let text = "@fragment fn picture(@builtin(position) p: vec4f) -> @location(0) vec4f { return vec4f(p.xy, 0.0, 1.0); }";
+    let preset = Preset::of_text("own.wgsl", text);
+    let shader = shader(&preset, &Bake::constants());
+    let mut calls = 0;
+    let shot = Shot { samples: 50, ..Shot::new(8, 8) };
+    let picture = render(&GPU, &shader, &preset, &shot, &mut |_, _| calls += 1).expect("it can be drawn");
+    assert_eq!(calls, 1);
+    assert!((srgb_encode(picture.pixels[8 * 2 + 3][0]) - 3.5).abs() < 1e-4, "rows are from the top, decoded");
+    assert!((srgb_encode(picture.pixels[8 * 2 + 3][1]) - 2.5).abs() < 1e-4);
+}
+
+#[test]
+fn the_frame_is_the_shots_and_the_rest_the_presets() {
+    let mut preset = Preset::of_text(
+        "scene.wgsl",
+        "#include <frame.wgsl>
+         #param tint.red: f32 = 0.25
+         fn main_image(p: vec2f) -> vec4f {
+             return vec4f(tint.red, frame.time, f32(frame.index) + frame.delta, frame.resolution.x + frame.mouse.x);
+         }",
+    );
+    preset.set("frame.mouse=[100,0,0,0]").expect("it is a parameter");
+    preset.set("frame.time=99").expect("it is a parameter");
+    preset.set("tint.red=0.5").expect("it is a parameter");
+    for bake in [Bake::constants(), Bake::live(["*"]), Bake::live(["*"]).at_binding(2, 5)] {
+        let shot = Shot { time: 0.75, delta: Some(0.25), index: 3, ..Shot::new(16, 4) };
+        let picture = draw(&preset, &bake, &shot);
+        let [red, green, blue, alpha] = picture.pixels[0];
+        assert!((srgb_encode(red) - 0.5).abs() < 1e-5);
+        assert!((srgb_encode(green) - 0.75).abs() < 1e-5);
+        assert!((srgb_encode(blue) - 3.25).abs() < 1e-5);
+        assert_eq!(alpha, 116.0);
+    }
+}
+
+#[test]
+fn a_vertex_entry_point_of_the_users_own_is_drawn_with() {
+    let text = "
+        struct Out { @builtin(position) at: vec4f, @location(0) uv: vec2f }
+        @vertex fn corner(@builtin(vertex_index) i: u32) -> Out {
+            let corner = vec2f(f32(i & 1u), f32(i >> 1u));
+            return Out(vec4f(corner * 4.0 - 1.0, 0.0, 1.0), corner * 2.0);
+        }
+        @fragment fn picture(in: Out) -> @location(0) vec4f { return vec4f(in.uv, 0.0, 1.0); }";
+    let picture = draw(&Preset::of_text("own.wgsl", text), &Bake::constants(), &Shot::new(4, 4));
+    let [u, v, ..] = picture.pixels[0];
+    assert!((srgb_encode(u) - 0.125).abs() < 1e-4 && (srgb_encode(v) - 0.875).abs() < 1e-4);
+}
+
+#[test]
+fn one_gpu_serves_many_threads() {
+    std::thread::scope(|scope| {
+        let threads: Vec<_> = (0..4)
+            .map(|i| {
+                scope.spawn(move || {
+                    let preset = scene(&format!("return vec4f({i}.0 + 0.0 * p.x);"));
+                    draw(&preset, &Bake::constants(), &Shot::new(33, 17)).pixels[0][3]
+                })
+            })
+            .collect();
+        let values: Vec<_> = threads.into_iter().map(|thread| thread.join().expect("no panic")).collect();
+        assert_eq!(values, [0.0, 1.0, 2.0, 3.0]);
+    });
+}
+
+// ---- files ----
+
+#[test]
+fn dithering_keeps_the_mean() {
+    let (width, height) = (512, 128);
+    let ramp = |x: u32, from: f32, to: f32| from + (to - from) * (x as f32 + 0.5) / width as f32;
+    for (from, to) in [(0.0, 1.0), (0.3, 0.31), (0.0, 0.01), (0.99, 1.0)] {
+        let pixels: Vec<_> = (0..width * height)
+            .map(|i| {
+                let linear = orogen::render::srgb_decode(ramp(i % width, from, to));
+                [linear, linear, linear, 1.0]
+            })
+            .collect();
+        let picture = Picture { width, height, pixels };
+        let bytes = to_srgb8(&picture);
+        for channel in 0..3 {
+            let mean = bytes.iter().skip(channel).step_by(4).map(|b| f64::from(*b)).sum::<f64>();
+            let mean = mean / f64::from(width * height);
+            let expected = f64::from(from + to) / 2.0 * 255.0;
+            assert!(
+                (mean - expected).abs() < 0.1,
+                "{from} .. {to}, channel {channel}: {mean} for {expected}"
+            );
+        }
+    }
+}
+
+#[test]
+fn black_white_and_what_is_beyond_them_stay_exact() {
+    let values = [0.0, 1.0, -0.5, 7.0, f32::INFINITY, f32::NEG_INFINITY, f32::NAN];
+    for value in values {
+        let picture = Picture { width: 64, height: 64, pixels: vec![[value, value, value, 1.0]; 64 * 64] };
+        let expected = if value >= 1.0 { 255 } else { 0 };
+        let bytes = to_srgb8(&picture);
+        assert!(bytes.chunks(4).all(|p| p[..3] == [expected; 3] && p[3] == 255), "{value}");
+    }
+}
+
+#[test]
+fn files_read_back_as_what_was_drawn() {
+    let pixels: Vec<_> = (0..12_u8).map(|i| [f32::from(i) / 4.0, 0.5, -1.0, f32::from(i % 2)]).collect();
+    let picture = Picture { width: 4, height: 3, pixels };
+    let exr = encode(&picture, Format::Exr).expect("it can be encoded");
+    let read = image::load_from_memory(&exr).expect("it is an EXR").to_rgba32f();
+    assert_eq!(read.as_raw().as_slice(), picture.pixels.as_flattened());
+    let png = encode(&picture, Format::Png).expect("it can be encoded");
+    assert_eq!(image(&png), to_srgb8(&picture));
+    assert_eq!(png, encode(&picture, Format::Png).expect("it can be encoded"), "the same bytes every time");
+}
+
+#[test]
+fn the_name_of_a_file_says_its_format() {
+    assert_eq!(Format::of("a/b.PNG").ok(), Some(Format::Png));
+    assert_eq!(Format::of("b.exr").ok(), Some(Format::Exr));
+    expect_text("format.txt", &Format::of("out/picture.jpg").expect_err("JPEG is not written").render(false));
+}
+
+// ---- what cannot be drawn ----
+
+#[test]
+fn an_unknown_adapter_lists_those_there_are() {
+    let error = Gpu::new(Some("Voodoo 2")).err().expect("there is none");
+    assert!(!is_no_adapter(&error));
+    let text = error.to_string();
+    assert!(text.contains("error[OR0902]: there is no GPU adapter whose name contains `Voodoo 2`"), "{text}");
+    assert!(text.contains(&format!("there is `{}`", GPU.name())), "{text}");
+    let part: String = GPU.name().chars().take(5).collect();
+    let found = Gpu::new(Some(&part.to_uppercase())).expect("a part of the name in any case will do");
+    assert!(found.name().starts_with(&part));
+}
+
+#[test]
+fn no_adapter_is_recognised_and_told_how_to_install_one() {
+    let error = Error::from(orogen::render::RenderError::NoAdapter);
+    assert!(is_no_adapter(&error));
+    if cfg!(target_os = "linux") {
+        expect_text("no-adapter.txt", &error.render(false));
+    }
+}
+
+#[test]
+fn sizes_of_nothing_and_beyond_the_device_are_refused() {
+    let preset = scene("return vec4f(p, 0.0, 1.0);");
+    expect_text("size-zero.txt", &refusal(&preset, &Shot::new(0, 144)).render(false));
+    let huge = refusal(&preset, &Shot::new(256, GPU.max_size() + 1)).to_string();
+    assert!(huge.contains("error[OR0908]"), "{huge}");
+    assert!(huge.contains(&format!("at most {}×{}", GPU.max_size(), GPU.max_size())), "{huge}");
+    let huge = refusal(&preset, &Shot::new(u32::MAX, u32::MAX)).to_string();
+    assert!(huge.contains("a picture of 4294967295×4294967295 pixels"), "{huge}");
+}
+
+#[test]
+fn shots_of_no_samples_or_at_no_time_are_refused() {
+    let preset = scene("return vec4f(p, 0.0, 1.0);");
+    let shot = Shot::new(8, 8);
+    expect_text("samples-zero.txt", &refusal(&preset, &Shot { samples: 0, ..shot }).render(false));
+    expect_text("time-nan.txt", &refusal(&preset, &Shot { time: f32::NAN, ..shot }).render(false));
+}
+
+#[test]
+fn a_shader_with_textures_is_refused_by_their_names() {
+    let text = "
+        @group(0) @binding(3) var heights: texture_2d<f32>;
+        @group(0) @binding(4) var unread: sampler;
+        @group(1) @binding(0) var<storage, read> rocks: array<vec4f>;
+        fn touch() -> f32 { return rocks[0].x; }
+        @fragment fn picture(@builtin(position) p: vec4f) -> @location(0) vec4f {
+            return textureLoad(heights, vec2i(p.xy), 0) + touch();
+        }";
+    expect_text("bindings.txt", &refusal(&Preset::of_text("own.wgsl", text), &Shot::new(8, 8)).render(false));
+}
+
+#[test]
+fn a_shader_without_a_fragment_entry_point_is_refused() {
+    let shot = Shot::new(8, 8);
+    let compute = Preset::of_text("own.wgsl", "@compute @workgroup_size(1) fn main() {}");
+    expect_text("no-fragment.txt", &refusal(&compute, &shot).render(false));
+    expect_text("no-entry.txt", &refusal(&Preset::of_module("noise/pcg.wgsl"), &shot).render(false));
+}
+
+#[test]
+fn what_wgpu_refuses_is_told_in_its_words() {
+    let text = "@fragment fn picture() -> @location(0) vec4u { return vec4u(1u); }";
+    let error = refusal(&Preset::of_text("own.wgsl", text), &Shot::new(8, 8)).to_string();
+    assert!(error.contains("error[OR0906]: wgpu refuses the work"), "{error}");
+    assert!(error.contains("note: In Device::create_render_pipeline"), "{error}");
+    // And the device is as good as before.
+    let picture = draw(&scene("return vec4f(p.x);"), &Bake::constants(), &Shot::new(8, 8));
+    assert_eq!(picture.pixels.len(), 64);
+}
