@@ -131,7 +131,7 @@ fn value_of(field: &Field, bytes: &[u8]) -> Vec<f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(60))]
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(60) })]
 
     #[test]
     fn any_list_of_parameters_is_laid_out_as_naga_and_encase_do(

@@ -9,6 +9,12 @@ use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::TestCaseError;
 
+/// So many cases; with `CASES=20` in the environment, twenty times as many.
+fn cases(some: u32) -> ProptestConfig {
+    let times = std::env::var("CASES").ok().and_then(|times| times.parse::<u32>().ok()).unwrap_or(1);
+    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(some * times) }
+}
+
 /// Every label lies inside of its text and at characters, and all of it can be told to people and to tools.
 fn well_told(error: &Error) -> Result<(), TestCaseError> {
     prop_assert!(!error.diagnostics().is_empty());
@@ -61,7 +67,7 @@ fn directive() -> impl Strategy<Value = String> {
             .prop_map(|(a, m, n)| format!("  # param {a}.b : vec2f=({m} , {n}) // text")),
         ("[a-z]{1,5}", "[a-z]{1,5}").prop_map(|(a, b)| format!("#option {a}.{b} = x{b} {{ x{b}, y{a} }}")),
         ("[a-z/]{1,9}", "[a-z]{1,5}")
-            .prop_map(|(a, b)| format!("#include <{a}> as {b} with {b} = {b}, x = y")),
+            .prop_map(|(a, b)| format!("#include <{a}> as {b} with {b} = {b}, x2 = y")),
         ("[a-z]{1,5}", "[a-z]{1,5}")
             .prop_map(|(a, b)| format!("#slot {a}: fn(p: vec2<f32>, q: {b}) -> array<{b}, 3>")),
         "[a-z]{1,5}".prop_map(|a| format!("#if !({a}.b == c) && {a} >= 3 || false")),
@@ -96,7 +102,7 @@ fn edits(most: usize) -> impl Strategy<Value = Vec<(u8, Index, Index)>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(cases(400))]
 
     #[test]
     fn a_right_directive_is_read(line in directive()) {
@@ -211,7 +217,7 @@ fn condition() -> impl Strategy<Value = Cond> {
 const OPTIONS: &str = "#option g.n = 7\n#option g.on = true\n#option mode = b { a, b, c }\n";
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(cases(300))]
 
     #[test]
     fn a_condition_comes_to_what_it_must(condition in condition()) {
@@ -250,7 +256,7 @@ fn json() -> impl Strategy<Value = serde_json::Value> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(200))]
+    #![proptest_config(cases(200))]
 
     #[test]
     fn any_json_is_a_preset_or_refused_inside_of_it(json in json()) {
@@ -325,7 +331,7 @@ fn broken_by(text: &str, lines: bool, edits: &[(u8, Index, Index)]) -> String {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(120))]
+    #![proptest_config(cases(120))]
 
     #[test]
     fn a_broken_fragment_composes_or_is_refused_inside_of_it(
@@ -351,7 +357,7 @@ proptest! {
 // ---- values ----
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(cases(100))]
 
     #[test]
     fn a_float_is_the_same_in_every_baking(bits: [u32; 3]) {

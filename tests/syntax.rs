@@ -8,6 +8,12 @@ use orogen::Library;
 use orogen::syntax::{TokenKind as K, Tokens, lex, parse_directive, parse_fragment, split};
 use proptest::prelude::*;
 
+/// So many cases; with `CASES=20` in the environment, twenty times as many.
+fn cases(some: u32) -> ProptestConfig {
+    let times = std::env::var("CASES").ok().and_then(|times| times.parse::<u32>().ok()).unwrap_or(1);
+    ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(some * times) }
+}
+
 fn again(text: &str, tokens: &Tokens) -> String {
     tokens.iter().map(|(_, span)| &text[span.range()]).collect()
 }
@@ -43,7 +49,7 @@ fn library() -> Vec<String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(cases(400))]
 
     #[test]
     fn tokens_of_any_text_are_the_text(text in any::<String>()) {
@@ -80,7 +86,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(100))]
+    #![proptest_config(cases(100))]
 
     #[test]
     fn tokens_of_broken_fragments_are_the_text(which: prop::sample::Index, at: prop::sample::Index, len in 0usize..40, put in any::<String>()) {

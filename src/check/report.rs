@@ -93,13 +93,11 @@ fn in_words(name: &str, error: &FunctionError) -> Option<(String, String, Option
         } => {
             let (left, right) = (type_name(lhs_type)?, type_name(rhs_type)?);
             let message = format!("`{}` does not take `{left}` and `{right}`", operator(*op));
-            Some((message, format!("this is `{left}`"), None))
+            Some((message, "here".into(), None))
         }
-        FunctionError::InvalidCall { error: CallError::ArgumentCount { required, seen }, .. } => Some((
-            format!("the function takes {required} arguments, and {seen} are given"),
-            "called here".into(),
-            None,
-        )),
+        FunctionError::InvalidCall { error: CallError::ArgumentCount { required, seen }, .. } => {
+            Some((format!("the function takes {required} arguments, not {seen}"), "called here".into(), None))
+        }
         _ => None,
     }
 }
@@ -152,6 +150,9 @@ fn operator(operator: BinaryOperator) -> &'static str {
 
 /// `message` without naga's numbers of types and expressions: `[3]`.
 fn without_handles(message: &str) -> String {
+    if message.starts_with("Type flags") {
+        return "a variable in this address space cannot be of this type".into();
+    }
     let mut words: Vec<&str> = Vec::new();
     for word in message.split(' ') {
         let bare = word.trim_end_matches([',', '.']);

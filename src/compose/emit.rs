@@ -137,7 +137,7 @@ fn declare(
             Meaning::Renamed(_, name) => Some(Piece::Word(name.clone(), reference.span)),
             Meaning::Knob(knob) => Some(Piece::Read(*knob, reference.span)),
             Meaning::Group => {
-                let knob = names.member(active.instance, reference).ok()?;
+                let knob = names.find_member(active.instance, reference)?;
                 let end = reference.member.map_or(reference.span, |(_, span)| span);
                 Some(Piece::Read(knob, reference.span.to(end)))
             }
@@ -191,9 +191,9 @@ fn check_locals(
         let spelled: String = match kept.meanings[active.instance][reference.symbol as usize].as_ref() {
             Some(Meaning::Renamed(_, name)) => name.to_string(),
             Some(Meaning::Knob(knob)) => names.flat(*knob),
-            Some(Meaning::Group) => match names.member(active.instance, reference) {
-                Ok(knob) => names.flat(knob),
-                Err(_) => continue,
+            Some(Meaning::Group) => match names.find_member(active.instance, reference) {
+                Some(knob) => names.flat(knob),
+                None => continue,
             },
             _ => continue,
         };

@@ -9,7 +9,7 @@ use rustc_hash::FxHashMap;
 
 use super::cache::Cache;
 use super::error::{At, ComposeError};
-use crate::diagnostic::nearest;
+use crate::diagnostic::{ENOUGH, nearest};
 use crate::preset::{Declarations, Declared};
 use crate::source::{FileId, Files, Library, Source, SourceError, Span};
 use crate::syntax::{DirectiveKind, Fragment, Include};
@@ -20,9 +20,6 @@ const MAX_DEPTH: usize = 256;
 const MAX_INSTANCES: usize = 65_536;
 /// How many MiB all instances may hold together.
 const MAX_MIB: usize = 256;
-
-/// After how many faults the walk ends: each missing file costs a search for the nearest name.
-const MAX_ERRORS: usize = 100;
 
 /// A file that was read.
 pub(super) struct Loaded {
@@ -92,7 +89,7 @@ impl Graph {
                     Ok(Err(source)) => self.load(source, cache, files, errors),
                     Err(error) => {
                         errors.push(error);
-                        if errors.len() >= MAX_ERRORS {
+                        if errors.len() >= ENOUGH {
                             return root; // a whole library is missing: more of the same would say nothing
                         }
                         continue;

@@ -28,7 +28,7 @@ use std::sync::Arc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::diagnostic::{Diagnostic, Error};
+use crate::diagnostic::{Diagnostic, ENOUGH, Error};
 use crate::preset::{self, Declarations, Preset, Scene, Settings};
 use crate::source::{self, FileId, Files, Library, Source, SourceError};
 use crate::syntax::{
@@ -322,6 +322,10 @@ fn activity(survey: &Survey, errors: &mut Vec<ComposeError>) -> Activity {
         let mut truth = Vec::with_capacity(fragment.conditions);
         for placed in &fragment.directives {
             if let DirectiveKind::If(expr) | DirectiveKind::Elif(expr) = &placed.directive.kind {
+                if errors.len() >= ENOUGH {
+                    truth.push(false);
+                    continue;
+                }
                 truth.push(decide(expr, graph.file(index), &known).unwrap_or_else(|error| {
                     errors.push(error);
                     false

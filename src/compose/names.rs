@@ -11,7 +11,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::error::{At, ComposeError};
 use super::graph::Graph;
-use crate::diagnostic::{choices, nearest};
+use crate::diagnostic::{ENOUGH, choices, nearest};
 use crate::preset::{Declarations, Knob};
 use crate::syntax::{
     Declaration, DeclarationKind, DirectiveKind, Include, Module, OptionKind, Reference, Signature, Slot,
@@ -293,7 +293,7 @@ impl<'a> Names<'a> {
                 renamed @ Meaning::Renamed(..) => renamed,
                 Meaning::OpenSlot => Meaning::Renamed(None, target.value.as_str().into()),
                 _ => {
-                    let names = self.table.keys().map(AsRef::as_ref);
+                    let names = self.table.keys().map(AsRef::as_ref).filter(|_| errors.len() < ENOUGH);
                     let nearest = nearest(&target.value, names);
                     errors.push(ComposeError::SlotTarget {
                         target: target.value.clone(),
@@ -391,7 +391,18 @@ impl<'a> Names<'a> {
         roots.flat_map(|root| self.slots_of(*root).into_iter().map(move |slot| (*root, slot))).collect()
     }
 
-    /// The parameter or option that `reference`, whose name is a group, stands for.
+    /// The parameter or option that `reference`, whose name is a group, stands for, if there is one.
+    pub(super) fn find_member(&self, instance: usize, reference: &Reference) -> Option<Knob> {
+        let active = self.active[instance].as_ref()?;
+        let group = active.module.name(active.text, reference.symbol);
+        let member = active.module.name(active.text, reference.member?.0);
+        let renamed = self.graph.instances[instance].renamed.as_ref();
+        let own = renamed.filter(|(from, _)| from == group).map(|(_, to)| format!("{to}.{member}"));
+        let own = own.and_then(|own| self.declarations.find(&own));
+        own.or_else(|| self.declarations.find(&format!("{group}.{member}")))
+    }
+
+    /// As [`Names::find_member`], with what is wrong where there is none.
     pub(super) fn member(&self, instance: usize, reference: &Reference) -> Result<Knob, ComposeError> {
         let Some(active) = &self.active[instance] else { return Ok(Knob::Parameter(0)) };
         let name = |symbol: Symbol| active.module.name(active.text, symbol);
@@ -400,20 +411,15 @@ impl<'a> Names<'a> {
         let Some((member, member_span)) = reference.member else {
             return Err(ComposeError::GroupAsValue { group: group.into(), at: (file, reference.span) });
         };
-        let member = name(member);
-        let renamed = self.graph.instances[instance].renamed.as_ref();
-        let own = renamed.filter(|(from, _)| from == group).map(|(_, to)| format!("{to}.{member}"));
-        let key = format!("{group}.{member}");
-        let found = own.and_then(|own| self.declarations.find(&own)).or_else(|| self.declarations.find(&key));
-        let span = reference.span.to(member_span);
-        let knob = found.ok_or_else(|| {
-            let in_group = format!("{group}.");
-            let keys = self.declarations.keys();
-            let near = nearest(&key, keys.filter(|known| known.starts_with(&in_group)))
-                .or_else(|| nearest(&key, self.declarations.keys()));
-            ComposeError::UnknownMember { key: key.clone(), nearest: near, at: (file, span) }
-        })?;
-        self.readable(knob, (file, span))
+        let at = (file, reference.span.to(member_span));
+        if let Some(knob) = self.find_member(instance, reference) {
+            return self.readable(knob, at);
+        }
+        let key = format!("{group}.{}", name(member));
+        let in_group = format!("{group}.");
+        let near = nearest(&key, self.declarations.keys().filter(|known| known.starts_with(&in_group)))
+            .or_else(|| nearest(&key, self.declarations.keys()));
+        Err(ComposeError::UnknownMember { key, nearest: near, at })
     }
 
     /// A choice among names has no value in code.

@@ -4,6 +4,7 @@
 
 use super::error::ComposeError;
 use super::names::{Global, Meaning, Names};
+use crate::diagnostic::ENOUGH;
 use crate::preset::Knob;
 use crate::syntax::{DeclarationKind, Symbol};
 
@@ -80,7 +81,12 @@ pub(super) fn shake(names: &Names<'_>, keep_all: bool, errors: &mut Vec<ComposeE
             match knob {
                 Ok(Knob::Parameter(index)) => kept.parameters[index] = true,
                 Ok(Knob::Option(index)) => kept.options[index] = true,
-                Err(error) => errors.push(error),
+                Err(error) => {
+                    errors.push(error);
+                    if errors.len() >= ENOUGH {
+                        return kept;
+                    }
+                }
             }
         }
     }

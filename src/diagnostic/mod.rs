@@ -13,6 +13,9 @@ use std::sync::Arc;
 
 use crate::source::{FileId, Files, Span};
 
+/// After so many faults a stage looks for no more: each may cost a search through all names for the nearest.
+pub(crate) const ENOUGH: usize = 100;
+
 /// How bad it is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Severity {

@@ -3,18 +3,21 @@
 use codespan_reporting::diagnostic as codespan;
 use codespan_reporting::term;
 
-use super::{Diagnostic, Severity};
-use crate::source::Files;
+use super::{Diagnostic, Label, Severity};
+use crate::source::{File, Files};
 
 /// Several faults in a big input say little more than the first few.
 const MOST: usize = 50;
+
+/// Lines longer than this (generated, minified) are not drawn: the place is named instead.
+const LONGEST_LINE: usize = 1000;
 
 pub(super) fn render(diagnostics: &[Diagnostic], files: &Files, colour: bool) -> String {
     let config = term::Config::default();
     let mut plain = String::new();
     let mut coloured = term::termcolor::Ansi::new(Vec::new());
     for diagnostic in diagnostics.iter().take(MOST) {
-        let shown = convert(diagnostic);
+        let shown = convert(diagnostic, files);
         // Both writers are memory and every label is inside its text: nothing can fail but the formatter itself, and then
         // the sentence still comes through.
         let drawn = if colour {
@@ -33,15 +36,22 @@ pub(super) fn render(diagnostics: &[Diagnostic], files: &Files, colour: bool) ->
     text
 }
 
-fn convert(diagnostic: &Diagnostic) -> codespan::Diagnostic<crate::source::FileId> {
+fn convert(diagnostic: &Diagnostic, files: &Files) -> codespan::Diagnostic<crate::source::FileId> {
     let severity = match diagnostic.severity {
         Severity::Error => codespan::Severity::Error,
         Severity::Warning => codespan::Severity::Warning,
     };
-    let labels = diagnostic.labels.iter().map(|label| {
+    let (drawn, named): (Vec<_>, Vec<_>) =
+        diagnostic.labels.iter().partition(|label| fits(label, files.get(label.file)));
+    let labels = drawn.into_iter().map(|label| {
         let style =
             if label.primary { codespan::LabelStyle::Primary } else { codespan::LabelStyle::Secondary };
         codespan::Label::new(style, label.file, label.span.range()).with_message(&label.message)
+    });
+    let places = named.into_iter().map(|label| {
+        let file = files.get(label.file);
+        let place = file.place(label.span.start as usize);
+        format!("{}:{}:{}: {}", file.name, place.line, place.column, label.message)
     });
     let notes = diagnostic.notes.iter().map(|note| format!("note: {note}"));
     let help = diagnostic.help.iter().map(|help| format!("help: {help}"));
@@ -49,5 +59,16 @@ fn convert(diagnostic: &Diagnostic) -> codespan::Diagnostic<crate::source::FileI
         .with_code(diagnostic.code)
         .with_message(&diagnostic.message)
         .with_labels(labels.collect())
-        .with_notes(notes.chain(help).collect())
+        .with_notes(places.chain(notes).chain(help).collect())
+}
+
+/// Whether the first and the last line of a label are short enough to be drawn.
+fn fits(label: &Label, file: &File) -> bool {
+    let starts = file.line_starts();
+    let short = |offset: u32| {
+        let line = file.line_of(offset as usize);
+        let end = starts.get(line + 1).map_or(file.text.len(), |end| *end as usize);
+        end - starts[line] as usize <= LONGEST_LINE
+    };
+    short(label.span.start) && short(label.span.end)
 }

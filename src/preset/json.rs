@@ -62,8 +62,9 @@ pub(crate) fn parse(text: &str) -> Result<Json, JsonError> {
 fn syntax(text: &str, error: &serde_json::Error) -> JsonError {
     let why = without_place(error);
     let line: usize = text.split_inclusive('\n').take(error.line().saturating_sub(1)).map(str::len).sum();
+    // Column 0 is the line break before: the word that it cuts short ends there.
     let at = text.floor_char_boundary((line + error.column()).saturating_sub(1).min(text.len()));
-    let end = text[at..].chars().next().map_or(at, |c| at + c.len_utf8());
+    let end = text[at..].chars().next().filter(|c| *c != '\n').map_or(at, |c| at + c.len_utf8());
     JsonError { why, span: Span::new(at, end) }
 }
 

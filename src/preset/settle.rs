@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use super::error::{PresetError, PresetErrorKind};
 use super::json::{Json, JsonKind};
 use super::read::{Preset, Setting};
-use crate::diagnostic::{choices, nearest};
+use crate::diagnostic::{ENOUGH, choices, nearest};
 use crate::source::{FileId, Span};
 use crate::syntax::{Key, OptionDecl, OptionKind, OptionValue, ParamDecl, Type, Value};
 
@@ -120,6 +120,9 @@ pub fn settle(preset: &Preset, declarations: &Declarations) -> Result<Settings, 
                 .map(|value| settings.options[index] = value),
         };
         if let Err((kind, span)) = outcome {
+            if errors.len() >= ENOUGH {
+                break;
+            }
             errors.push(PresetError { kind, file: setting.file, span, pointer: setting.pointer.clone() });
         }
     }

@@ -1,6 +1,10 @@
 // preset: A *test* */ of all parts
 // Composed by Orogen 0.1.0. Parameters and functions keep the names that their fragments give them.
-// Apache-2.0: lib.wgsl as lib
+//
+// Options: a.on = true
+//
+// Licences of the fragments:
+// Apache-2.0: lib.wgsl
 // MIT: tests/compose/the-standard-look-names-preset-parts-and-licences/scene.wgsl
 
 // ---- a ----

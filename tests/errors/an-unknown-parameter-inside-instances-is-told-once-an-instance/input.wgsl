@@ -1,0 +1,2 @@
+#include <layer.wgsl> as high
+#include <layer.wgsl> as low
