@@ -18,7 +18,7 @@ pub fn literal(value: &Value) -> String {
 
 /// A finite f32, as an abstract float that rounds to it: WGSL reads literals as f64 first, and the shortest digits of an
 /// f32 can, rarely, round twice to its neighbour.
-pub fn float(value: f32) -> String {
+pub(super) fn float(value: f32) -> String {
     let short = format!("{value:?}");
     let read = short.parse::<f64>().unwrap_or(0.0);
     let fits = read as f32 == value && read.abs() <= f64::from(f32::MAX);
@@ -26,7 +26,7 @@ pub fn float(value: f32) -> String {
 }
 
 /// `value` as the code reads it: angles in radians.
-pub fn in_code(value: &Value, unit: Option<&str>) -> Value {
+pub(super) fn in_code(value: &Value, unit: Option<&str>) -> Value {
     if unit != Some("deg") {
         return *value;
     }
@@ -36,7 +36,7 @@ pub fn in_code(value: &Value, unit: Option<&str>) -> Value {
 }
 
 /// The scalars that `value` is made of.
-pub fn scalars(value: &Value) -> Vec<Value> {
+pub(super) fn scalars(value: &Value) -> Vec<Value> {
     if value.ty().components() == 1 {
         return vec![*value];
     }
@@ -44,7 +44,7 @@ pub fn scalars(value: &Value) -> Vec<Value> {
 }
 
 /// Its bytes in a uniform buffer, little-endian. A `bool` is a `u32`.
-pub fn bytes(value: &Value) -> Vec<u8> {
+pub(super) fn bytes(value: &Value) -> Vec<u8> {
     match value {
         Value::Bool(value) => u32::from(*value).to_le_bytes().to_vec(),
         Value::I32(value) => value.to_le_bytes().to_vec(),
@@ -54,7 +54,7 @@ pub fn bytes(value: &Value) -> Vec<u8> {
 }
 
 /// The type as a uniform buffer holds it.
-pub fn uniform_type(ty: Type) -> Type {
+pub(super) fn uniform_type(ty: Type) -> Type {
     if ty == Type::Bool { Type::U32 } else { ty }
 }
 

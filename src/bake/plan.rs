@@ -8,7 +8,7 @@ use crate::diagnostic::{Diagnostic, Error, nearest};
 /// How the parameters of a composition are baked. By default, all are constants.
 ///
 /// The group `frame` is always live.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Bake {
     pub(crate) live: Vec<String>,
     pub(crate) overrides: Vec<String>,
@@ -16,12 +16,6 @@ pub struct Bake {
     pub(crate) variables: bool,
     /// Bind group and binding of the uniform buffer.
     pub(crate) binding: (u32, u32),
-}
-
-impl Default for Bake {
-    fn default() -> Self {
-        Self { live: Vec::new(), overrides: Vec::new(), variables: false, binding: (0, 0) }
-    }
 }
 
 impl Bake {

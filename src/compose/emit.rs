@@ -52,7 +52,8 @@ pub(super) fn pieces(
         if directive { !hoist } else { in_file[index] }
     };
     let any = (0..module.declarations.len()).any(|index| in_file[index]);
-    if !any && !(keep_all && module.declarations.is_empty()) {
+    let all_of_nothing = keep_all && module.declarations.is_empty();
+    if !any && !all_of_nothing {
         return pieces;
     }
     copy(&mut pieces, &module.pieces[module.head.clone()]);

@@ -4,6 +4,8 @@
 //! (`decide`); names resolved and slots filled (`names`); declarations shaken (`shake`); pieces collected (`emit`). The
 //! values themselves are put in by the next stage, `bake`. Nothing here knows naga.
 
+#![allow(clippy::result_large_err, reason = "a fault ends the run: what it weighs is of no account")]
+
 mod cache;
 mod catalogue;
 mod decide;

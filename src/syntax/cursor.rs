@@ -5,7 +5,7 @@ use crate::source::Span;
 
 /// What is wrong in a directive: expected this, there.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Unexpected {
+pub(super) struct Unexpected {
     /// What should have stood there.
     pub expected: String,
     /// Where.

@@ -26,12 +26,12 @@ pub fn lex(text: &str) -> Tokens {
 }
 
 /// Whether `c` can start an identifier.
-pub fn starts_ident(c: char) -> bool {
+pub(super) fn starts_ident(c: char) -> bool {
     c == '_' || if c.is_ascii() { c.is_ascii_alphabetic() } else { unicode_ident::is_xid_start(c) }
 }
 
 /// Whether `c` can go on in an identifier.
-pub fn continues_ident(c: char) -> bool {
+pub(super) fn continues_ident(c: char) -> bool {
     if c.is_ascii() { c == '_' || c.is_ascii_alphanumeric() } else { unicode_ident::is_xid_continue(c) }
 }
 
@@ -47,7 +47,7 @@ pub fn is_line_break(c: char) -> bool {
 }
 
 /// Whether `c` is blank space in WGSL (Unicode's `Pattern_White_Space`).
-pub fn is_blank(c: char) -> bool {
+pub(super) fn is_blank(c: char) -> bool {
     is_line_break(c) || matches!(c, ' ' | '\t' | '\u{200e}' | '\u{200f}')
 }
 
