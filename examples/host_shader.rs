@@ -2,6 +2,8 @@
 //!
 //! `cargo run --example host_shader` needs a GPU adapter; a software one (lavapipe) will do.
 
+#![allow(clippy::print_stdout, reason = "an example shows what it does")]
+
 use orogen::{Bake, Library, Preset};
 use wgpu::util::DeviceExt;
 

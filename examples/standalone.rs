@@ -2,6 +2,8 @@
 //!
 //! `cargo run --example standalone [PRESET] [FILE]`
 
+#![allow(clippy::print_stdout, reason = "an example shows what it does")]
+
 use orogen::{Bake, Library, Preset};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

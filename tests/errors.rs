@@ -14,11 +14,11 @@ use harness::{Case, cases};
 use libtest_mimic::{Arguments, Failed, Trial};
 use orogen::{Error, Library, Shader};
 
-/// Makes the library of a case.
-type Make = fn(&Case) -> Library;
+/// Makes what a case needs.
+type Made = fn(&Case) -> Library;
 
 /// Cases whose files cannot lie in a repository: they are made when the test runs.
-const MADE: [(&str, Make); 6] = [
+const MADE: [(&str, Made); 6] = [
     ("a-file-over-16-mib-is-refused", |case| {
         case.library().with_file("large.wgsl", " ".repeat((16 << 20) + 1))
     }),

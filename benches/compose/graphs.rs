@@ -4,7 +4,7 @@ use orogen::{Library, Preset};
 
 /// How modules include one another.
 #[derive(Clone, Copy, Debug)]
-pub enum Shape {
+pub(crate) enum Shape {
     /// Each includes the next.
     Chain,
     /// Each includes two of the layer below.
@@ -14,17 +14,17 @@ pub enum Shape {
 }
 
 /// A generated graph: `modules` fragments of `functions` functions each, all of them reachable from the root.
-pub struct Graph {
+pub(crate) struct Graph {
     /// The fragments.
-    pub library: Library,
+    pub(crate) library: Library,
     /// The root, which includes them.
-    pub root: Preset,
+    pub(crate) root: Preset,
     /// The path of a fragment that includes nothing.
-    pub leaf: String,
+    pub(crate) leaf: String,
 }
 
 /// The text of module `index`; `salt` makes a changed version of it.
-pub fn module(index: usize, functions: usize, includes: &[usize], salt: u32) -> String {
+pub(crate) fn module(index: usize, functions: usize, includes: &[usize], salt: u32) -> String {
     let mut text = format!("// Module {index} of a generated graph.\n\n");
     for include in includes {
         text.push_str(&format!("#include <m{include}.wgsl>\n"));
@@ -72,7 +72,7 @@ fn includes(shape: Shape, modules: usize, index: usize) -> Vec<usize> {
 }
 
 /// A graph of that shape and size.
-pub fn graph(shape: Shape, modules: usize, functions: usize) -> Graph {
+pub(crate) fn graph(shape: Shape, modules: usize, functions: usize) -> Graph {
     let mut library = Library::empty();
     for index in 0..modules {
         let text = module(index, functions, &includes(shape, modules, index), 0);

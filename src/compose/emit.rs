@@ -52,8 +52,8 @@ pub(super) fn pieces(
         if directive { !hoist } else { in_file[index] }
     };
     let any = (0..module.declarations.len()).any(|index| in_file[index]);
-    let all_of_nothing = keep_all && module.declarations.is_empty();
-    if !any && !all_of_nothing {
+    let is_empty_root = keep_all && module.declarations.is_empty(); // comments are all there is
+    if !any && !is_empty_root {
         return pieces;
     }
     copy(&mut pieces, &module.pieces[module.head.clone()]);

@@ -4,7 +4,10 @@
 //! (`decide`); names resolved and slots filled (`names`); declarations shaken (`shake`); pieces collected (`emit`). The
 //! values themselves are put in by the next stage, `bake`. Nothing here knows naga.
 
-#![allow(clippy::result_large_err, reason = "a fault ends the run: what it weighs is of no account")]
+#![allow(
+    clippy::result_large_err,
+    reason = "a fault ends the composition: its size costs nothing on the way there"
+)]
 
 mod cache;
 mod catalogue;

@@ -180,7 +180,6 @@ mod tests {
 
     #[test]
     fn a_panic_of_nagas_is_an_error_of_ours() {
-        #[expect(clippy::panic, reason = "it is what is tested")]
         let outcome = written::<()>(Target::Hlsl, || panic!("internal error: entered unreachable code"));
         let error = outcome.expect_err("it panicked").bare();
         assert_eq!(error.diagnostics()[0].code, "OR0811");
