@@ -7,7 +7,7 @@ use std::path::Path;
 
 use orogen::source::preset_names;
 use orogen::syntax::{DeclarationKind, DirectiveKind, Fragment, parse_fragment, split};
-use orogen::{Bake, Library, Preset};
+use orogen::{Bake, Compose, Library, Preset};
 
 /// The folders of each floor, from the ground up. `frame.wgsl` and `quality.wgsl` lie below all.
 const FLOORS: [&[&str]; 5] = [
@@ -113,6 +113,27 @@ fn every_function_says_what_it_gives() {
                 assert!(head, "`{name}` of {path} has no doc comment");
             }
         }
+    }
+}
+
+#[test]
+fn a_text_without_directives_comes_out_as_it_went_in() {
+    let odd = [
+        "\n\n  // late\n\n\nfn f() {}\n\n\n",
+        "/* a *//* b */const A=1;;const B=2;",
+        "\r\n// a\r\n\r\nconst A = 1;\r\n",
+        "diagnostic(off, derivative_uniformity);\n\n\nconst A = 1; // b",
+        "// only a comment",
+        "",
+    ];
+    let library = fragments().into_iter().filter(|(_, fragment)| fragment.directives.is_empty());
+    let library = library.map(|(_, fragment)| fragment.text.to_string());
+    for text in library.chain(odd.map(str::to_owned)) {
+        let mut compose = Compose::default();
+        compose.keep_unused = true;
+        let shader = compose.run(&Library::empty(), &Preset::of_text("text.wgsl", &text), &Bake::constants());
+        let shader = shader.unwrap();
+        assert!(shader.wgsl().ends_with(&text), "{text:?} became {:?}", shader.wgsl());
     }
 }
 

@@ -11,7 +11,9 @@ fuzz_target!(|condition: &str| {
     let line = condition.lines().next().unwrap_or("");
     let _ = parse_directive(&format!("#if {line}"), 0, "");
     let text = format!("{OPTIONS}#if {line}\nconst A = 1;\n#endif\nconst B = 2;\n");
-    if let Err(error) = orogen::compose(&Library::empty(), &Preset::of_text("fuzz", &text), &Bake::constants()) {
+    if let Err(error) =
+        orogen::compose(&Library::empty(), &Preset::of_text("fuzz", &text), &Bake::constants())
+    {
         for label in error.diagnostics().iter().flat_map(|diagnostic| &diagnostic.labels) {
             assert!(error.files().get(label.file).text.get(label.span.range()).is_some());
         }

@@ -416,8 +416,13 @@ impl<'a> Names<'a> {
             return self.readable(knob, at);
         }
         let key = format!("{group}.{}", name(member));
-        let in_group = format!("{group}.");
-        let near = nearest(&key, self.declarations.keys().filter(|known| known.starts_with(&in_group)))
+        // In an instance, the group has another name than in its fragment.
+        let renamed = self.graph.instances[instance].renamed.as_ref();
+        let here = renamed.filter(|(from, to)| from == group && !to.is_empty()).map_or(group, |(_, to)| to);
+        let in_group =
+            self.declarations.keys().filter_map(|known| known.strip_prefix(here)?.strip_prefix('.'));
+        let near = nearest(name(member), in_group)
+            .map(|near| format!("{group}.{near}"))
             .or_else(|| nearest(&key, self.declarations.keys()));
         Err(ComposeError::UnknownMember { key, nearest: near, at })
     }
