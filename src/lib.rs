@@ -30,3 +30,8 @@ pub use diagnostic::{Diagnostic, Error};
 pub use preset::Preset;
 pub use shader::{Compose, Shader, compose};
 pub use source::{Library, Templates};
+
+/// The README's snippets, as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+pub struct Readme;
