@@ -1,32 +1,38 @@
-//! Runs naga where it can do no harm: on a thread of its own, with a deep stack, and with its panics caught.
+//! Runs naga where it can do no harm: on a deep stack, and with its panics caught.
 //!
 //! naga's writers panic on some valid inputs, and several of its passes recurse as deep as expressions nest. Neither may
-//! bring the process down.
+//! bring the process down. The stack is grown on the thread that asks: on a thread of its own, naga's many small
+//! allocations would start from a cold heap every time, which costs a tenth of a large shader's checking.
 
-/// The name of the threads that a panic hook may keep quiet about: what happened there comes back as an error.
-pub const GUARDED: &str = "orogen-naga";
+use std::cell::Cell;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// Address space, not memory: pages are taken as they are touched.
 const STACK: usize = 256 << 20;
+
+thread_local! {
+    static GUARDING: Cell<bool> = const { Cell::new(false) };
+}
 
 /// What went wrong inside.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Panicked(pub String);
 
-/// The result of `work`, or what it panicked with.
-pub(crate) fn guarded<T: Send>(work: impl FnOnce() -> T + Send) -> Result<T, Panicked> {
-    let outcome = std::thread::scope(|scope| {
-        let thread = std::thread::Builder::new().name(GUARDED.into()).stack_size(STACK);
-        match thread.spawn_scoped(scope, work) {
-            Ok(handle) => handle.join().map_err(|payload| {
-                let text = payload.downcast_ref::<String>().cloned();
-                let text = text.or_else(|| payload.downcast_ref::<&str>().map(|text| (*text).to_owned()));
-                text.unwrap_or_else(|| "no reason given".into())
-            }),
-            Err(error) => Err(format!("no thread could be started: {error}")),
-        }
-    });
-    outcome.map_err(Panicked)
+/// Whether a panic on this thread would come back as an error: a panic hook may keep quiet about it.
+pub fn is_guarded() -> bool {
+    GUARDING.get()
+}
+
+/// The result of `work`, or what it panicked with. Whatever `work` has changed when it panics must not be used again.
+pub(crate) fn guarded<T>(work: impl FnOnce() -> T) -> Result<T, Panicked> {
+    let outer = GUARDING.replace(true);
+    let outcome = catch_unwind(AssertUnwindSafe(|| stacker::grow(STACK, work)));
+    GUARDING.set(outer);
+    outcome.map_err(|payload| {
+        let text = payload.downcast_ref::<String>().cloned();
+        let text = text.or_else(|| payload.downcast_ref::<&str>().map(|text| (*text).to_owned()));
+        Panicked(text.unwrap_or_else(|| "no reason given".into()))
+    })
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ mod guard;
 mod report;
 
 pub(crate) use guard::guarded;
-pub use guard::{GUARDED, Panicked};
+pub use guard::{Panicked, is_guarded};
 
 use naga::front::wgsl;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};

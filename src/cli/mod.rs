@@ -65,7 +65,7 @@ fn colour() -> bool {
 fn quiet_guarded_panics() {
     let usual = std::panic::take_hook();
     std::panic::set_hook(Box::new(move |info| {
-        if std::thread::current().name() != Some(orogen::check::GUARDED) {
+        if !orogen::check::is_guarded() {
             usual(info);
         }
     }));

@@ -12,7 +12,7 @@ const TRIES: u32 = 600;
 const TRY: Duration = Duration::from_millis(100);
 
 impl Gpu {
-    /// Runs `work` on a thread with a deep stack: naga, inside wgpu, recurses as deep as expressions nest.
+    /// Runs `work` on a deep stack: naga, inside wgpu, recurses as deep as expressions nest.
     pub(super) fn guarded<T: Send>(
         &self,
         work: impl FnOnce() -> Result<T, RenderError> + Send,
