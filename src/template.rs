@@ -24,7 +24,7 @@ pub(crate) fn render(templates: &Templates, name: &str, context: impl Serialize)
         environment.set_syntax(syntax); // it fails for odd delimiters only, and these are the usual ones
     }
     environment.add_filter("wrapped", wrapped);
-    environment.set_fuel(Some(1_000_000)); // a template that does not end is an error
+    environment.set_fuel(Some(50_000_000)); // a template that does not end is an error
     let rendered = environment
         .template_from_named_str(&shown, &text)
         .and_then(|template| template.render(Serde(context)));

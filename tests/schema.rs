@@ -54,6 +54,8 @@ fn right_values_are_accepted_by_both() {
         r#"{}"#,
         r#"{"quality": "low"}"#,
         r#"{"march": {"steps": 16}, "water": {"waves": false}}"#,
+        r#"{"march": {"steps": 16.0}, "count": {"rocks": 1e3, "depth": -2.0}}"#,
+        r#"{"sun": {}}"#,
         r#"{"sun": {"elevation": -90, "color": [0, 1.5, 2]}}"#,
         r##"{"sun": {"color": "#ffcc00", "tint": "#ffcc0080"}}"##,
         r##"{"sun": {"color": "#fc0", "tint": "#ffcc00"}}"##,
@@ -90,6 +92,9 @@ fn wrong_values_are_rejected_by_both() {
         r#"{"count": {"depth": 1.5}}"#,
         r#"{"count": {"on": 1}}"#,
         r#"{"moon": {"phase": 1}}"#,
+        r#"{"moon": {}}"#,
+        r#"{"quality": {}}"#,
+        r#"{"sun.elevation": 5}"#,
     ] {
         assert_eq!(verdicts(set), (false, false), "{set}");
     }

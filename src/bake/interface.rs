@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::compose::{Composition, Parameter, UNIFORM};
+use crate::preset::listing::value_json;
 use crate::syntax::Type;
 
 use super::literal;
@@ -109,22 +110,6 @@ pub(super) fn align_and_size(ty: Type) -> (u32, u32) {
     }
 }
 
-fn json(value: &crate::syntax::Value) -> serde_json::Value {
-    use crate::syntax::Value as V;
-    match value {
-        V::Bool(value) => (*value).into(),
-        V::I32(value) => (*value).into(),
-        V::U32(value) => (*value).into(),
-        V::F32(value) => number(*value),
-        vector => vector.floats().iter().map(|value| number(*value)).collect(),
-    }
-}
-
-/// The shortest digits that are this f32, not those of the f64 next to it.
-pub(crate) fn number(value: f32) -> serde_json::Value {
-    serde_json::from_str(&format!("{value:?}")).unwrap_or(serde_json::Value::Null)
-}
-
 fn unit_in_code(parameter: &Parameter) -> Option<String> {
     let unit = parameter.decl.unit.as_deref()?;
     Some(if unit == "deg" { "rad" } else { unit }.to_owned())
@@ -156,7 +141,7 @@ pub(super) fn interface(
                     offset,
                     size,
                     unit,
-                    value: json(&value),
+                    value: value_json(&value),
                 });
             }
             Storage::Override => {
@@ -166,7 +151,7 @@ pub(super) fn interface(
                         parameter: key.to_string(),
                         ty: scalar.ty().name(),
                         unit: unit.clone(),
-                        default: json(scalar),
+                        default: value_json(scalar),
                     });
                 }
             }

@@ -11,7 +11,6 @@ mod plan;
 mod text;
 
 pub(crate) use facts::Facts;
-pub(crate) use interface::number;
 pub use interface::{Binding, EntryPoint, Field, Interface, Override, Uniform};
 pub use literal::literal;
 pub use map::{Origin, Segment, SourceMap};

@@ -100,7 +100,7 @@ fn matches(
     errors: &mut Vec<Diagnostic>,
 ) -> Vec<bool> {
     let mut hit = vec![false; parameters.len()];
-    for pattern in patterns {
+    for pattern in patterns.iter().map(|pattern| pattern.trim()) {
         let whole = WildMatch::new(pattern);
         let fits = |parameter: &Parameter| {
             let key = &parameter.decl.key;

@@ -241,14 +241,8 @@ fn context<'a>(
             .hoisted
             .iter()
             .map(|directive| {
-                let from = directive.span;
-                let file = composition.parts.iter().find(|part| part.instance == directive.instance);
-                let file = file.or(composition.parts.first()).map(|part| part.file);
                 let text = directive_text(directive);
-                match file {
-                    Some(file) => mark(inserts, Insert::Line { text, file, from }),
-                    None => text,
-                }
+                mark(inserts, Insert::Line { text, file: directive.file, from: directive.span })
             })
             .collect(),
         groups,
@@ -298,7 +292,7 @@ fn parameter_item(parameter: &Parameter, storage: Storage, inserts: &mut Vec<Ins
 
 fn slot_item(open: &OpenSlot, inserts: &mut Vec<Insert<'_>>) -> Item {
     let signature = &open.slot.signature;
-    let takes: Vec<_> = signature.takes.iter().zip('a'..).map(|(ty, name)| format!("{name}: {ty}")).collect();
+    let takes: Vec<_> = signature.takes.iter().enumerate().map(|(n, ty)| format!("a{n}: {ty}")).collect();
     let gives = signature.gives.as_ref();
     let head = format!("fn {}({})", open.slot.name.value, takes.join(", "));
     let text = match gives {

@@ -10,6 +10,8 @@ use crate::syntax::{Expr, Operator, OptionKind, OptionValue, Spanned, Term};
 pub(super) struct Known<'a> {
     pub(super) declarations: &'a Declarations,
     pub(super) settings: &'a Settings,
+    /// Of the instance; empty where there is none.
+    pub(super) prefix: &'a str,
     /// In an instance: its fragment's group, and the name that the group has there.
     pub(super) renamed: Option<(&'a str, &'a str)>,
 }
@@ -46,7 +48,9 @@ impl Known<'_> {
             let member = name.strip_prefix(from)?.strip_prefix('.')?;
             self.declarations.find(&format!("{to}.{member}"))
         });
-        own.or_else(|| self.declarations.find(name))
+        let inner = || self.declarations.find(&format!("{}_{name}", self.prefix));
+        let inner = || if self.prefix.is_empty() || !name.contains('.') { None } else { inner() };
+        own.or_else(inner).or_else(|| self.declarations.find(name))
     }
 }
 

@@ -8,7 +8,7 @@ use super::error::ComposeError;
 use super::names::{Active, Meaning, Names, UNIFORM};
 use super::shake::Kept;
 use crate::preset::Knob;
-use crate::source::Span;
+use crate::source::{FileId, Span};
 use crate::syntax::{Declaration, DeclarationKind};
 
 /// A piece of the result. Spans are of the fragment's file.
@@ -27,6 +27,8 @@ pub enum Piece {
 pub struct Hoisted {
     /// The instance that it is from.
     pub instance: usize,
+    /// The file that it is from.
+    pub file: FileId,
     /// Where it stands.
     pub span: Span,
     /// Its keyword.

@@ -1,7 +1,7 @@
 //! What can go wrong while fragments are put together, and how each is told.
 
 use crate::diagnostic::Diagnostic;
-use crate::source::{FileId, SourceError, Span};
+use crate::source::{FileId, PathError, SourceError, Span};
 use crate::syntax::{DirectiveError, nearest_directive};
 
 /// A place in a file.
@@ -252,6 +252,14 @@ pub enum ComposeError {
         /// The first place.
         first: At,
     },
+    /// `OR0414`
+    #[error("`main_image` is {found}, and a scene's is `fn(vec2f) -> vec4f`")]
+    MainImage {
+        /// What it is.
+        found: String,
+        /// Where its name stands.
+        at: At,
+    },
     /// `OR0413`
     #[error("`{name}` is the name of Orogen's uniform buffer")]
     Reserved {
@@ -296,11 +304,16 @@ impl From<ComposeError> for Diagnostic {
                     SourceError::TooLarge { .. } => "too large",
                     SourceError::NotText { .. } | SourceError::Unreadable { .. } => "cannot be read",
                 };
+                let is_outside = matches!(&error, SourceError::Path { why: PathError::Outside, .. });
                 let mut d = d("OR0301", at, label);
                 if let SourceError::NotFound { tried, .. } = error {
                     d = d.notes(tried.iter().map(|place| format!("looked for {place}")));
                 }
-                d.help(did_you_mean(nearest.map(|path| format!("<{path}>"))))
+                let root =
+                    "a root is the folder of the file named on the command line, or one given with `-I DIR`";
+                d.help(
+                    did_you_mean(nearest.map(|path| format!("<{path}>"))).or(is_outside.then(|| root.into())),
+                )
             }
             E::Scene { error, at, nearest } => {
                 let mut d = match at {
@@ -312,7 +325,9 @@ impl From<ComposeError> for Diagnostic {
                 if let SourceError::NotFound { tried, .. } = error {
                     d = d.notes(tried.iter().map(|place| format!("looked for {place}")));
                 }
-                d.help(did_you_mean(nearest))
+                // On the command line a module stands in angle brackets, in a preset it does not.
+                let module = nearest.map(|path| if at.is_some() { path } else { format!("<{path}>") });
+                d.help(did_you_mean(module))
             }
             E::TooDeep { at, .. } => d("OR0303", at, "one level too many")
                 .help(Some("does a fragment include itself `as` something?".into())),
@@ -357,6 +372,8 @@ impl From<ComposeError> for Diagnostic {
                     .help(Some("split the fragment, one group a file".into()))
             }
             E::DiagnosticConflict { at, first, .. } => also(d("OR0412", at, "set here"), first, "and here"),
+            E::MainImage { at, .. } => d("OR0414", at, "not what calls it expects")
+                .help(Some("write `fn main_image(frag_coord: vec2f) -> vec4f`".into())),
             E::Reserved { at, .. } => d("OR0413", at, "reserved").help(Some("give it another name".into())),
         }
     }
@@ -380,6 +397,9 @@ fn directive(file: FileId, error: DirectiveError) -> Diagnostic {
                 Some(other) => d.and(file, other, "it comes after this one"),
                 None => d,
             }
+        }
+        E::Operators { span } => {
+            d("OR0106", span, "here").help(Some("write them as one, or in steps".into()))
         }
         E::Inside { span, .. } => d("OR0105", span, "here")
             .help(Some("only conditions may stand there; move it between two declarations".into())),

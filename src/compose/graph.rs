@@ -200,23 +200,26 @@ impl Graph {
     }
 
     /// The instances that are in when `active` tells which directives are, each after those that it includes.
-    pub(super) fn order(&self, active: &[Vec<bool>]) -> Vec<usize> {
+    ///
+    /// From here on, an instance's parent is whoever brings it in: a branch that is off has no part in it.
+    pub(super) fn order(&mut self, active: &[Vec<bool>]) -> Vec<usize> {
         let mut order = Vec::with_capacity(self.instances.len());
         let mut seen = vec![false; self.instances.len()];
-        for root in &self.roots {
-            if std::mem::replace(&mut seen[*root], true) {
+        for root in self.roots.clone() {
+            if std::mem::replace(&mut seen[root], true) {
                 continue;
             }
-            let mut path = vec![(*root, 0)];
+            let mut path = vec![(root, 0)];
             while let Some((instance, next)) = path.last_mut() {
-                let Some((directive, child)) = self.instances[*instance].includes.get(*next) else {
+                let Some((directive, child)) = self.instances[*instance].includes.get(*next).copied() else {
                     order.push(*instance);
                     path.pop();
                     continue;
                 };
                 *next += 1;
-                if active[*instance][*directive] && !std::mem::replace(&mut seen[*child], true) {
-                    path.push((*child, 0));
+                if active[*instance][directive] && !std::mem::replace(&mut seen[child], true) {
+                    self.instances[child].parent = Some((*instance, directive));
+                    path.push((child, 0));
                 }
             }
         }

@@ -141,6 +141,8 @@ pub struct Survey {
     /// The value of each.
     pub settings: Settings,
     graph: Graph,
+    /// The root that calls `main_image`, if the scene may need one.
+    wrapper: Option<usize>,
 }
 
 /// Reads a scene with everything that it can reach, and holds the preset against it.
@@ -157,12 +159,13 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
     };
     let root = graph.add_root(root, library, cache, &mut files, &mut errors);
     let has_entry = graph.fragment(root).has_entry_point;
+    let mut wrapper_root = None;
     let has_image = graph.loaded.iter().any(|loaded| loaded.fragment.has_main_image);
     if let Some(wrapper) = &request.wrapper
         && has_image
         && !has_entry
     {
-        graph.add_root(wrapper.clone(), library, cache, &mut files, &mut errors);
+        wrapper_root = Some(graph.add_root(wrapper.clone(), library, cache, &mut files, &mut errors));
     }
     if let Some(beside) = &request.beside {
         graph.add_root(beside.clone(), library, cache, &mut files, &mut errors);
@@ -180,7 +183,7 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
     };
     let name = request.preset.name().to_owned();
     let scene = files.get(graph.file(root)).name.clone();
-    Ok(Survey { name, scene, files: files.into(), declarations, settings, graph })
+    Ok(Survey { name, scene, files: files.into(), declarations, settings, graph, wrapper: wrapper_root })
 }
 
 /// Puts a scene together.
@@ -188,21 +191,29 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
 /// # Errors
 /// Everything that is wrong with preset and fragments but what only a WGSL compiler can tell.
 pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Result<Composition, Error> {
-    let survey = survey(library, cache, request)?;
+    let mut survey = survey(library, cache, request)?;
     let mut errors = Vec::new();
-    let graph = &survey.graph;
     let (active, truths) = activity(&survey, &mut errors);
     if !errors.is_empty() {
         return Err(fail(errors, survey.files));
     }
-    let order = graph.order(&active);
-    let mut modules: Vec<Option<Arc<Module>>> = vec![None; graph.instances.len()];
-    for instance in &order {
-        let loaded = &graph.loaded[graph.instances[*instance].loaded];
-        let module = cache.split(&loaded.source, &loaded.fragment, &truths[*instance]);
-        let faults = module.errors.iter().map(|error| ComposeError::Directive(loaded.file, error.clone()));
-        errors.extend(faults);
-        modules[*instance] = Some(module);
+    let mut order = survey.graph.order(&active);
+    let mut modules = modules(&survey.graph, cache, &order, &truths);
+    if let Some(wrapper) = survey.wrapper
+        && !needs_wrapper(&survey.graph, &modules, wrapper)
+    {
+        survey.graph.roots.retain(|root| *root != wrapper);
+        survey.wrapper = None;
+        order = survey.graph.order(&active);
+        let is_in: FxHashSet<_> = order.iter().copied().collect();
+        for (_, module) in modules.iter_mut().enumerate().filter(|(instance, _)| !is_in.contains(instance)) {
+            *module = None;
+        }
+    }
+    let graph = &survey.graph;
+    for (instance, module) in modules.iter().enumerate() {
+        let faults = module.iter().flat_map(|module| &module.errors);
+        errors.extend(faults.map(|error| ComposeError::Directive(graph.file(instance), error.clone())));
     }
     let in_names = modules.iter().enumerate().map(|(instance, module)| {
         module.as_ref().map(|module| Active {
@@ -213,6 +224,11 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         })
     });
     let names = Names::new(graph, &survey.declarations, in_names.collect(), &order, &mut errors);
+    if survey.wrapper.is_some()
+        && let Some((at, Some(found))) = names.main_image()
+    {
+        errors.push(ComposeError::MainImage { found, at });
+    }
     let kept = shake::shake(&names, request.keep_unused, &mut errors);
     let parts = |hoist: bool, errors: &mut Vec<ComposeError>| {
         let in_order = order.iter().filter_map(|instance| names.active[*instance].as_ref());
@@ -232,10 +248,13 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
     // A lone file with nothing before it keeps its directives where they are.
     let reads = kept.parameters.iter().chain(&kept.options).any(|read| *read);
     let mut hoisted = Vec::new();
-    let mut directives = order.iter().filter_map(|i| names.active[*i].as_ref()).filter(|active| {
-        active.module.declarations.iter().any(|declaration| emit::is_directive(declaration.kind))
+    let mut directives = order.iter().filter(|instance| {
+        let active = names.active[**instance].as_ref();
+        active.is_some_and(|a| a.module.declarations.iter().any(|d| emit::is_directive(d.kind)))
     });
-    if (result.len() > 1 || reads || !slots.is_empty()) && directives.next().is_some() {
+    let alone = result.len() == 1 && !reads && slots.is_empty();
+    let is_elsewhere = |instance: &usize| !(alone && result[0].instance == *instance);
+    if directives.any(is_elsewhere) {
         errors.truncate(before); // what `parts` found, it finds again
         result = parts(true, &mut errors);
         hoisted = hoist(&names, &kept, &mut errors);
@@ -296,13 +315,44 @@ fn root(library: &Library, preset: &Preset) -> Result<Source, ComposeError> {
             let at = Some((*file, *span));
             if let Some(folder) = beside.as_ref().and_then(|preset| preset.parent())
                 && let Ok(inside) = source::join("", path)
-                && folder.join(&inside).is_file()
             {
-                return Source::file_in(folder, &inside).map_err(|error| fail(error, at));
+                match Source::file_in(folder, &inside) {
+                    Err(SourceError::NotFound { .. }) => {} // then it is one of the library's
+                    found => return found.map_err(|error| fail(error, at)),
+                }
             }
             library.find(path).map_err(|error| fail(error, at))
         }
     }
+}
+
+/// The declarations of every instance that is in.
+fn modules(
+    graph: &Graph,
+    cache: &mut Cache,
+    order: &[usize],
+    truths: &[Vec<bool>],
+) -> Vec<Option<Arc<Module>>> {
+    let mut modules = vec![None; graph.instances.len()];
+    for instance in order {
+        let loaded = &graph.loaded[graph.instances[*instance].loaded];
+        modules[*instance] = Some(cache.split(&loaded.source, &loaded.fragment, &truths[*instance]));
+    }
+    modules
+}
+
+/// Whether the scene, its conditions decided, has `main_image` and no entry point of its own.
+fn needs_wrapper(graph: &Graph, modules: &[Option<Arc<Module>>], wrapper: usize) -> bool {
+    let scene = graph.roots.first().and_then(|root| modules[*root].as_ref());
+    let has_entry = scene.is_some_and(|module| module.declarations.iter().any(|d| d.stage.is_some()));
+    let declares = |(instance, module): (usize, &Option<Arc<Module>>)| {
+        let (Some(module), text) = (module, &graph.fragment(instance).text) else { return false };
+        let names = module.declarations.iter().filter_map(|declaration| declaration.name);
+        instance != wrapper
+            && graph.fragment(instance).has_main_image
+            && names.into_iter().any(|(symbol, _)| module.name(text, symbol) == "main_image")
+    };
+    !has_entry && modules.iter().enumerate().any(declares)
 }
 
 type Activity = (Vec<Vec<bool>>, Vec<Vec<bool>>);
@@ -312,10 +362,11 @@ fn activity(survey: &Survey, errors: &mut Vec<ComposeError>) -> Activity {
     let graph = &survey.graph;
     let mut all = (Vec::new(), Vec::new());
     for (index, instance) in graph.instances.iter().enumerate() {
-        let renamed = instance.renamed.as_ref().filter(|_| !instance.prefix.is_empty());
+        let renamed = instance.renamed.as_ref();
         let known = Known {
             declarations: &survey.declarations,
             settings: &survey.settings,
+            prefix: &instance.prefix,
             renamed: renamed.map(|(from, to)| (from.as_str(), &**to)),
         };
         let fragment = graph.fragment(index);
@@ -356,7 +407,9 @@ fn hoist(names: &Names<'_>, kept: &shake::Kept, errors: &mut Vec<ComposeError>) 
     for instance in names.order {
         let Some(active) = &names.active[*instance] else { continue };
         let is_root = names.graph.roots.contains(instance);
-        if !is_root && !kept.declarations[*instance].contains(&true) {
+        // A file of nothing but directives is included for their sake.
+        let only_directives = active.module.declarations.iter().all(|d| emit::is_directive(d.kind));
+        if !is_root && !only_directives && !kept.declarations[*instance].contains(&true) {
             continue;
         }
         for declaration in active.module.declarations.iter().filter(|d| emit::is_directive(d.kind)) {
@@ -366,7 +419,9 @@ fn hoist(names: &Names<'_>, kept: &shake::Kept, errors: &mut Vec<ComposeError>) 
                 .map_or("", |(keyword, _)| &text[keyword.len()..])
                 .trim()
                 .into();
-            let new = Hoisted { instance: *instance, span: declaration.span, kind: declaration.kind, body };
+            let file = names.graph.file(*instance);
+            let new =
+                Hoisted { instance: *instance, file, span: declaration.span, kind: declaration.kind, body };
             let twin = *by_rule.entry(subject(&new)).or_insert(hoisted.len());
             match hoisted.get(twin) {
                 None => hoisted.push(new),

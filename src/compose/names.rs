@@ -15,7 +15,7 @@ use crate::diagnostic::{ENOUGH, choices, nearest};
 use crate::preset::{Declarations, Knob};
 use crate::syntax::{
     Declaration, DeclarationKind, DirectiveKind, Include, Module, OptionKind, Reference, Signature, Slot,
-    Symbol, signature,
+    Symbol, TokenKind, lex, signature,
 };
 
 /// The name of the uniform buffer, and of its type.
@@ -145,7 +145,14 @@ impl<'a> Names<'a> {
             }
         }
         let mut flat: FxHashMap<String, At> = FxHashMap::default();
-        let parameters = self.declarations.parameters.iter().map(|p| (p.decl.key.flat(), (p.file, p.span)));
+        let parameters = self.declarations.parameters.iter().flat_map(|p| {
+            let flat = p.decl.key.flat();
+            // As an override, a vector is one scalar a component.
+            let parts = ["_x", "_y", "_z", "_w"].into_iter().take(p.decl.ty.components());
+            let parts: Vec<_> =
+                parts.filter(|_| p.decl.ty.components() > 1).map(|part| format!("{flat}{part}")).collect();
+            std::iter::once(flat).chain(parts).map(|name| (name, (p.file, p.span)))
+        });
         let options = self.declarations.options.iter().map(|o| (o.decl.key.flat(), (o.file, o.span)));
         for (name, at) in parameters.chain(options) {
             if let Some(global) = self.table.get(name.as_str()) {
@@ -305,7 +312,7 @@ impl<'a> Names<'a> {
                 }
             };
             if let Meaning::Renamed(Some(global), _) = &meaning
-                && let Err(found) = self.fits(*global, &slot.signature)
+                && let Err(found) = self.fits(*global, child, &slot.signature)
             {
                 errors.push(ComposeError::SlotType {
                     target: target.value.clone(),
@@ -323,7 +330,9 @@ impl<'a> Names<'a> {
     }
 
     /// Whether a declaration is a function of that signature; else what it is.
-    fn fits(&self, global: Global, expected: &Signature) -> Result<(), String> {
+    ///
+    /// `owner` is the instance whose slot it is: types are compared by what they are called in the result.
+    fn fits(&self, global: Global, owner: usize, expected: &Signature) -> Result<(), String> {
         let declaration = self.declaration(global);
         let text = self.active[global.instance as usize].as_ref().map_or("", |active| active.text);
         if declaration.kind != DeclarationKind::Function {
@@ -332,29 +341,43 @@ impl<'a> Names<'a> {
         let Some(found) = signature(&text[declaration.span.range()]) else {
             return Err("no function".into());
         };
-        let plain = |signature: &Signature| Signature {
-            takes: signature.takes.iter().map(|ty| self.without_alias(ty)).collect(),
-            gives: signature.gives.as_ref().map(|ty| self.without_alias(ty)),
+        let plain = |signature: &Signature, instance: usize| Signature {
+            takes: signature.takes.iter().map(|ty| self.plain(ty, instance, 0)).collect(),
+            gives: signature.gives.as_ref().map(|ty| self.plain(ty, instance, 0)),
         };
-        if plain(&found) == plain(expected) { Ok(()) } else { Err(format!("`{found}`")) }
+        let same = plain(&found, global.instance as usize) == plain(expected, owner);
+        if same { Ok(()) } else { Err(format!("`{found}`")) }
     }
 
-    /// A type's name with aliases followed, a few steps at most.
-    fn without_alias(&self, ty: &str) -> String {
-        let mut ty = ty.to_owned();
-        for _ in 0..16 {
-            let Some(global) = self.table.get(ty.as_str()) else { break };
-            let declaration = self.declaration(*global);
-            let text = self.active[global.instance as usize].as_ref().map_or("", |active| active.text);
-            let spelled = text[declaration.span.range()].split_once('=');
-            match spelled {
-                Some((_, is)) if declaration.kind == DeclarationKind::Alias => {
-                    ty = crate::syntax::plain_type(is.trim_end_matches(';'));
+    /// A type as the result spells it, seen from `instance`: names of instances in full, aliases followed (a few steps at
+    /// most).
+    fn plain(&self, ty: &str, instance: usize, depth: usize) -> String {
+        let tokens = lex(ty);
+        let mut text = String::new();
+        for (kind, span) in tokens.iter() {
+            let word = &ty[span.range()];
+            let meaning =
+                if kind == TokenKind::Ident { self.look_up(instance, word) } else { Meaning::Foreign };
+            match meaning {
+                Meaning::Global(global) | Meaning::Renamed(Some(global), _) => {
+                    let declaration = self.declaration(global);
+                    let owner = global.instance as usize;
+                    let source = self.active[owner].as_ref().map_or("", |active| active.text);
+                    let is = source[declaration.span.range()]
+                        .split_once('=')
+                        .map(|(_, is)| is.trim_end_matches(';'));
+                    match (is, meaning) {
+                        (Some(is), _) if declaration.kind == DeclarationKind::Alias && depth < 16 => {
+                            text.push_str(&self.plain(is, owner, depth + 1));
+                        }
+                        (_, Meaning::Renamed(_, name)) => text.push_str(&name),
+                        _ => text.push_str(word),
+                    }
                 }
-                _ => break,
+                _ => text.push_str(word),
             }
         }
-        ty
+        crate::syntax::plain_type(&text)
     }
 
     /// What `name` means in `instance`.
@@ -365,7 +388,9 @@ impl<'a> Names<'a> {
         let prefix = &self.graph.instances[instance].prefix;
         if !prefix.is_empty() {
             let own = format!("{prefix}_{name}");
-            if let Some(global) = self.table.get(own.as_str()) {
+            if let Some(global) =
+                self.table.get(own.as_str()).filter(|global| self.is_within(**global, prefix))
+            {
                 return Meaning::Renamed(Some(*global), own.into());
             }
         }
@@ -373,7 +398,10 @@ impl<'a> Names<'a> {
             return Meaning::Global(*global);
         }
         let renamed = &self.graph.instances[instance].renamed;
-        if self.declarations.has_group(name) || renamed.as_ref().is_some_and(|(from, _)| from == name) {
+        if self.declarations.has_group(name)
+            || renamed.as_ref().is_some_and(|(from, _)| from == name)
+            || !prefix.is_empty() && self.declarations.has_group(&format!("{prefix}_{name}"))
+        {
             return Meaning::Group;
         }
         if let Some(knob) = self.declarations.find(name) {
@@ -383,6 +411,20 @@ impl<'a> Names<'a> {
             return Meaning::OpenSlot;
         }
         Meaning::Foreign
+    }
+
+    /// Whether a declaration belongs to the instance of that prefix, or to one that it includes `as` something: others may
+    /// be called alike by chance.
+    fn is_within(&self, global: Global, prefix: &str) -> bool {
+        let owner = &*self.graph.instances[global.instance as usize].prefix;
+        owner.strip_prefix(prefix).is_some_and(|rest| rest.is_empty() || rest.starts_with('_'))
+    }
+
+    /// Where `main_image` is declared, and what it is where it is not the scene contract's.
+    pub(super) fn main_image(&self) -> Option<(At, Option<String>)> {
+        let global = self.table.get("main_image")?;
+        let contract = Signature { takes: vec!["vec2f".into()], gives: Some("vec4f".into()) };
+        Some((self.place(*global), self.fits(*global, global.instance as usize, &contract).err()))
     }
 
     /// The slots of the root fragments, which nobody fills.
@@ -398,8 +440,12 @@ impl<'a> Names<'a> {
         let member = active.module.name(active.text, reference.member?.0);
         let renamed = self.graph.instances[instance].renamed.as_ref();
         let own = renamed.filter(|(from, _)| from == group).map(|(_, to)| format!("{to}.{member}"));
-        let own = own.and_then(|own| self.declarations.find(&own));
-        own.or_else(|| self.declarations.find(&format!("{group}.{member}")))
+        let prefix = &self.graph.instances[instance].prefix;
+        // An instance of its own has its parameters below its own prefix.
+        let inner = (!prefix.is_empty()).then(|| format!("{prefix}_{group}.{member}"));
+        let found = own.and_then(|own| self.declarations.find(&own));
+        let found = found.or_else(|| self.declarations.find(&inner?));
+        found.or_else(|| self.declarations.find(&format!("{group}.{member}")))
     }
 
     /// As [`Names::find_member`], with what is wrong where there is none.
@@ -418,7 +464,7 @@ impl<'a> Names<'a> {
         let key = format!("{group}.{}", name(member));
         // In an instance, the group has another name than in its fragment.
         let renamed = self.graph.instances[instance].renamed.as_ref();
-        let here = renamed.filter(|(from, to)| from == group && !to.is_empty()).map_or(group, |(_, to)| to);
+        let here = renamed.filter(|(from, _)| from == group).map_or(group, |(_, to)| to);
         let in_group =
             self.declarations.keys().filter_map(|known| known.strip_prefix(here)?.strip_prefix('.'));
         let near = nearest(name(member), in_group)

@@ -116,6 +116,25 @@ fn roots(names: &Names<'_>, keep_all: bool) -> Vec<Global> {
             }
         }
     }
+    if entries.is_empty() && own.is_empty() {
+        own = included(names); // a file that only includes others stands for them
+    }
     always.extend(if entries.is_empty() { own } else { entries });
     always
+}
+
+/// The declarations of all that the roots include themselves.
+fn included(names: &Names<'_>) -> Vec<Global> {
+    let mut all = Vec::new();
+    for root in &names.graph.roots {
+        let Some(active) = &names.active[*root] else { continue };
+        for (directive, child) in &names.graph.instances[*root].includes {
+            let Some(module) = names.active[*child].as_ref().filter(|_| active.directives[*directive]) else {
+                continue;
+            };
+            let named = module.module.declarations.iter().enumerate().filter(|(_, d)| d.name.is_some());
+            all.extend(named.map(|(index, _)| Global { instance: *child as u32, declaration: index as u32 }));
+        }
+    }
+    all
 }

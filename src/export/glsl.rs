@@ -184,8 +184,10 @@ fn live(shader: &Shader, shown: &Shown, lines: &mut Vec<&str>) -> Vec<Live> {
             let unit = decl.unit.as_deref().map(|unit| if angle { "rad" } else { unit }.to_owned());
             let range = decl.range.map(|(low, high)| format!("{low} .. {}", degrees(high)));
             let remark = unit.into_iter().chain(range).collect::<Vec<_>>().join(", ");
-            let doc = decl.doc.lines().map(crate::bake::clean).collect();
-            Some(Live { doc, code: lines.remove(at).to_owned(), remark: crate::bake::clean(&remark) })
+            // A backslash at the end would join the next line to the comment.
+            let plain = |text: &str| crate::bake::clean(text).trim_end().trim_end_matches('\\').to_owned();
+            let doc = decl.doc.lines().map(plain).collect();
+            Some(Live { doc, code: lines.remove(at).to_owned(), remark: plain(&remark) })
         })
         .collect()
 }

@@ -3,10 +3,10 @@
 use serde::Serialize;
 use serde_json::{Map, Value as Json};
 
-use crate::bake::{Interface, Storage, number};
-use crate::compose::{Choice, Parameter};
+use crate::bake::{Interface, Storage};
+use crate::compose::Parameter;
+use crate::preset::listing::{option_json, value_json};
 use crate::shader::Shader;
-use crate::syntax::{OptionValue, Value};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -50,7 +50,7 @@ pub(super) fn interface(shader: &Shader) -> String {
         orogen: env!("CARGO_PKG_VERSION"),
         name: &composition.name,
         about: &composition.about,
-        options: composition.options.iter().map(|one| (one.decl.key.to_string(), option(one))).collect(),
+        options: composition.options.iter().map(|one| (one.decl.key.to_string(), option_json(&one.decl, one.value))).collect(),
         parameters: parameters.map(|(parameter, storage)| entry(parameter, *storage)).collect(),
         interface: shader.interface(),
     };
@@ -70,29 +70,11 @@ fn entry(parameter: &Parameter, storage: Storage) -> Entry<'_> {
             Storage::Variable => "variable",
         },
         read: parameter.read,
-        value: value(&parameter.value),
+        value: value_json(&parameter.value),
         unit: decl.unit.as_deref(),
         range: decl.range,
         color: decl.color,
         log: decl.log,
         doc: &decl.doc,
-    }
-}
-
-fn value(value: &Value) -> Json {
-    match value {
-        Value::Bool(value) => (*value).into(),
-        Value::I32(value) => (*value).into(),
-        Value::U32(value) => (*value).into(),
-        Value::F32(value) => number(*value),
-        vector => vector.floats().iter().map(|value| number(*value)).collect(),
-    }
-}
-
-fn option(option: &Choice) -> Json {
-    match option.value {
-        OptionValue::Bool(value) => value.into(),
-        OptionValue::Integer(value) => value.into(),
-        OptionValue::Choice(_) => option.decl.show(option.value).into(),
     }
 }

@@ -105,6 +105,12 @@ pub enum PresetErrorKind {
         /// The type.
         ty: &'static str,
     },
+    /// `OR0515`
+    #[error("`{key}` holds a dot")]
+    Dotted {
+        /// What stands there.
+        key: String,
+    },
     /// `OR0512`
     #[error("{why}")]
     NotFound {
@@ -164,6 +170,11 @@ impl From<PresetError> for Diagnostic {
                 .and(declared.0, declared.1, "declared here")
                 .help(did_you_mean(nearest).or_else(|| Some(format!("choose {choices}")))),
             K::Cycle { .. } => at(d("OR0510"), "leads back"),
+            K::Dotted { key } => {
+                let (group, name) = key.split_once('.').unwrap_or((key, ""));
+                let help = format!("write `\"{group}\": {{ \"{name}\": … }}`");
+                at(d("OR0515"), "a group and a name in one").help(Some(help))
+            }
             K::TooLarge { ty, .. } => at(d("OR0511"), "does not fit").help(Some(match *ty {
                 "i32" => "a whole number from -2147483648 to 2147483647 does".into(),
                 "u32" => "a whole number from 0 to 4294967295 does".into(),

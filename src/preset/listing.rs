@@ -144,7 +144,8 @@ pub fn value_json(value: &Value) -> Json {
     }
 }
 
-fn option_json(decl: &OptionDecl, value: OptionValue) -> Json {
+/// An option's value as a preset writes it.
+pub fn option_json(decl: &OptionDecl, value: OptionValue) -> Json {
     match value {
         OptionValue::Bool(on) => json!(on),
         OptionValue::Integer(n) => json!(n),

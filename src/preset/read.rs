@@ -229,7 +229,12 @@ impl Reader {
                 Ok((base_shown, base_text, base_path)) => {
                     let id = identity(&base, base_path.as_deref());
                     names.push(base);
-                    if chain.contains(&id) || chain.len() >= MAX_EXTENDS {
+                    if !chain.contains(&id) && chain.len() >= MAX_EXTENDS {
+                        let why = format!("presets extend one another more than {MAX_EXTENDS} deep");
+                        self.errors.push(fault(PresetErrorKind::NotFound { why, help: None }));
+                        break;
+                    }
+                    if chain.contains(&id) {
                         self.errors.push(fault(PresetErrorKind::Cycle { chain: names }));
                         break;
                     }
@@ -316,8 +321,20 @@ impl Reader {
         let Some(groups) = self.object(value, file, "/set") else { return };
         for (key, value) in groups {
             let pointer = format!("/set/{}", escape(&key.value));
-            if let JsonKind::Object(_) = &value.kind {
+            if let JsonKind::Object(pairs) = &value.kind {
+                self.undotted(key, file, &pointer);
+                if pairs.is_empty() {
+                    // Nothing is set; whether there is such a group is still asked.
+                    settings.push(Setting {
+                        key: Key { group: key.value.clone(), name: String::new() },
+                        key_span: key.span,
+                        value: value.clone(),
+                        file,
+                        pointer: pointer.clone(),
+                    });
+                }
                 for (name, value) in self.object(value, file, &pointer).unwrap_or_default() {
+                    self.undotted(name, file, &format!("{pointer}/{}", escape(&name.value)));
                     settings.push(Setting {
                         key: Key { group: key.value.clone(), name: name.value.clone() },
                         key_span: name.span,
@@ -327,6 +344,7 @@ impl Reader {
                     });
                 }
             } else {
+                self.undotted(key, file, &pointer);
                 settings.push(Setting {
                     key: Key { group: String::new(), name: key.value.clone() },
                     key_span: key.span,
@@ -335,6 +353,13 @@ impl Reader {
                     pointer,
                 });
             }
+        }
+    }
+
+    /// `"sun.elevation"` would be a second spelling of `"sun": { "elevation": … }`.
+    fn undotted(&mut self, key: &Spanned<String>, file: FileId, pointer: &str) {
+        if key.value.contains('.') {
+            self.wrong(PresetErrorKind::Dotted { key: key.value.clone() }, file, key.span, pointer);
         }
     }
 
@@ -388,7 +413,7 @@ fn escape(key: &str) -> String {
 }
 
 fn identity(name: &str, path: Option<&Path>) -> String {
-    match path.and_then(|path| path.canonicalize().ok()) {
+    match path.and_then(source::real_path) {
         Some(real) => format!("file:{}", real.display()),
         None => format!("preset:{name}"),
     }

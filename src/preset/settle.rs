@@ -112,8 +112,13 @@ pub fn settle(preset: &Preset, declarations: &Declarations) -> Result<Settings, 
     };
     let mut errors = Vec::new();
     for setting in &preset.settings {
-        let outcome = match declarations.find(&setting.key.to_string()) {
-            None => Err(unknown(setting, declarations)),
+        let names_group = setting.key.name.is_empty() && setting.value.kind == JsonKind::Object(Vec::new());
+        if names_group && declarations.has_group(&setting.key.group) {
+            continue; // a group in which nothing is set
+        }
+        let key = if names_group { setting.key.group.clone() } else { setting.key.to_string() };
+        let outcome = match declarations.find(&key) {
+            None => Err(unknown(setting, key, declarations)),
             Some(Knob::Parameter(index)) => parameter(&declarations.parameters[index], &setting.value)
                 .map(|value| settings.parameters[index] = value),
             Some(Knob::Option(index)) => option(&declarations.options[index], &setting.value)
@@ -131,12 +136,12 @@ pub fn settle(preset: &Preset, declarations: &Declarations) -> Result<Settings, 
 
 type Fault = (PresetErrorKind, Span);
 
-fn unknown(setting: &Setting, declarations: &Declarations) -> Fault {
-    let key = setting.key.to_string();
+fn unknown(setting: &Setting, key: String, declarations: &Declarations) -> Fault {
     // The group is more often right than the name in it.
     let in_group = format!("{}.", setting.key.group);
     let near = nearest(&key, declarations.keys().filter(|known| known.starts_with(&in_group)))
-        .or_else(|| nearest(&key, declarations.keys()));
+        .or_else(|| nearest(&key, declarations.keys()))
+        .or_else(|| nearest(&key, declarations.groups.keys().map(String::as_str)));
     (PresetErrorKind::Unknown { key, nearest: near }, setting.key_span)
 }
 
@@ -169,7 +174,7 @@ fn parameter(declared: &Declared<ParamDecl>, json: &Json) -> Result<Value, Fault
         _ => return Err(expected(describe(decl), json)),
     };
     if let Some((low, high)) = decl.range
-        && let Some(outside) = value.numbers().into_iter().find(|n| *n < low || *n > high)
+        && let Some(outside) = decl.outside(&value)
     {
         // In the author's digits: a value that was rounded to f32 first would look odd.
         let value = match &json.kind {
@@ -200,7 +205,11 @@ fn color_forms(ty: Type) -> &'static str {
 }
 
 fn whole<T: std::str::FromStr>(number: &str, ty: &'static str, json: &Json) -> Result<T, Fault> {
-    number.parse().map_err(|_| {
+    // JSON does not tell `4` from `4.0`.
+    let plain = number.parse::<f64>().ok().filter(|value| value.fract() == 0.0 && value.abs() < 9e15);
+    let parsed =
+        number.parse().or_else(|error| plain.map_or(Err(error), |value| format!("{value:.0}").parse()));
+    parsed.map_err(|_| {
         let digits = number.strip_prefix('-').unwrap_or(number);
         if digits.bytes().all(|byte| byte.is_ascii_digit()) {
             (PresetErrorKind::TooLarge { what: number.into(), ty }, json.span)

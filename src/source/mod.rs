@@ -389,9 +389,17 @@ pub(crate) fn read_text(path: &Path, shown: &str) -> Result<Arc<str>, SourceErro
     if bytes.len() as u64 > MAX_FILE_BYTES {
         return Err(SourceError::TooLarge { path: shown.into() });
     }
+    if bytes.starts_with(b"\xef\xbb\xbf") {
+        bytes.drain(..3); // the mark that some editors start a file with says nothing
+    }
     String::from_utf8(bytes)
         .map(Into::into)
         .map_err(|why| SourceError::NotText { path: shown.into(), at: why.utf8_error().valid_up_to() })
+}
+
+/// The path without symbolic links: the same for the same file. None where there is no such file.
+pub(crate) fn real_path(path: &Path) -> Option<PathBuf> {
+    path.canonicalize().ok()
 }
 
 fn unreadable(path: &str, why: &std::io::Error) -> SourceError {

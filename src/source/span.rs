@@ -36,9 +36,4 @@ impl Span {
     pub fn to(self, other: Self) -> Self {
         Self { start: self.start.min(other.start), end: self.end.max(other.end) }
     }
-
-    /// The same stretch, `by` bytes further on.
-    pub fn shifted(self, by: u32) -> Self {
-        Self { start: self.start + by, end: self.end + by }
-    }
 }

@@ -78,7 +78,7 @@ pub struct Declaration {
     pub span: Span,
     /// Its text with all that belongs to it: what is left of it where conditions and directives cut.
     pub pieces: std::ops::Range<usize>,
-    /// Names of module scope that it uses, its own first; in order.
+    /// Names of module scope that it uses, its own among them; in order.
     pub references: std::ops::Range<usize>,
     /// Local variables and parameters that it declares.
     pub locals: std::ops::Range<usize>,
@@ -241,6 +241,10 @@ struct Doing {
     open: Vec<Symbol>,
     /// The `<…>` of a `var`: its words are no names.
     skip_template: bool,
+    /// The reference that the last token was.
+    fresh: Option<usize>,
+    /// The reference that the last token, a dot, follows.
+    dotted: Option<usize>,
 }
 
 #[derive(PartialEq)]
@@ -425,6 +429,8 @@ impl<'a> Splitter<'a> {
             scopes: Vec::new(),
             open: Vec::new(),
             skip_template: false,
+            fresh: None,
+            dotted: None,
         });
     }
 
@@ -459,6 +465,10 @@ impl<'a> Splitter<'a> {
     /// Takes one token into the declaration; true when it is the last one.
     fn advance(&mut self, doing: &mut Doing, kind: TokenKind, span: Span) -> bool {
         use TokenKind as K;
+        let fresh = doing.fresh.take();
+        if kind != K::Ident {
+            doing.dotted = fresh.filter(|_| kind == K::Dot);
+        }
         match kind {
             K::Ident => self.ident(doing, span),
             K::At => doing.attribute = Attribute::Name,
@@ -594,13 +604,8 @@ impl<'a> Splitter<'a> {
         }
         if self.previous == TokenKind::Dot {
             let member = self.symbol(span);
-            let first = doing.references;
-            if let Some(last) = self.module.references[first..].last_mut()
-                && last.member.is_none()
-                && last.span.end < span.start
-                && self.text[last.span.end as usize..span.start as usize].trim() == "."
-            {
-                last.member = Some((member, span));
+            if let Some(owner) = doing.dotted.take() {
+                self.module.references[owner].member = Some((member, span));
             }
             return;
         }
@@ -610,7 +615,7 @@ impl<'a> Splitter<'a> {
                 doing.skip_template = false;
                 let symbol = self.symbol(span);
                 doing.name = Some((symbol, span));
-                self.module.references.push(Reference { symbol, span, member: None });
+                self.refer(doing, symbol, span);
                 return;
             }
             Naming::Member if !in_attribute && doing.templates == 0 => {
@@ -654,8 +659,13 @@ impl<'a> Splitter<'a> {
         }
         let symbol = self.symbol(span);
         if self.visible[symbol as usize] == 0 {
-            self.module.references.push(Reference { symbol, span, member: None });
+            self.refer(doing, symbol, span);
         }
+    }
+
+    fn refer(&mut self, doing: &mut Doing, symbol: Symbol, span: Span) {
+        doing.fresh = Some(self.module.references.len());
+        self.module.references.push(Reference { symbol, span, member: None });
     }
 
     fn keyword(&mut self, doing: &mut Doing, text: &str) {

@@ -117,6 +117,12 @@ pub enum DirectiveError {
         /// The `#if` or `#else` that it has to do with.
         other: Option<Span>,
     },
+    /// `OR0106`
+    #[error("more than {MAX_PREFIXES} operators in a row")]
+    Operators {
+        /// Where the row starts.
+        span: Span,
+    },
     /// `OR0105`
     #[error("`#{name}` stands inside a declaration")]
     Inside {
@@ -126,6 +132,9 @@ pub enum DirectiveError {
         span: Span,
     },
 }
+
+/// How many operators may stand before one operand. Compilers recurse once for each.
+pub(super) const MAX_PREFIXES: usize = 1000;
 
 const NAMES: [&str; 8] = ["include", "param", "option", "slot", "if", "elif", "else", "endif"];
 
@@ -289,8 +298,14 @@ fn param(c: &mut Cursor<'_>, doc: &str, usage: &'static str) -> Result<ParamDecl
         live: false,
         doc: doc.into(),
     };
+    let mut seen = Vec::new();
     while c.take(",") {
         let word = c.ident("`range`, `unit`, `color`, `log` or `live`").map_err(syntax)?;
+        if seen.contains(&word.value) {
+            let why = format!("`{}` is said twice", word.value);
+            return Err(DirectiveError::Value { why, span: word.span });
+        }
+        seen.push(word.value);
         match word.value {
             "range" => decl.range = Some(range(c, usage)?),
             "unit" => decl.unit = Some(unit(c).map_err(syntax)?),
@@ -314,7 +329,7 @@ fn param(c: &mut Cursor<'_>, doc: &str, usage: &'static str) -> Result<ParamDecl
         }
     }
     if let Some((low, high)) = decl.range
-        && let Some(outside) = decl.default.numbers().into_iter().find(|n| *n < low || *n > high)
+        && let Some(outside) = decl.outside(&decl.default)
     {
         let why = format!("the default {outside} is outside of the range {low} .. {high}");
         return Err(DirectiveError::Value { why, span: default_span });

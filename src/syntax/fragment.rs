@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::directive::{Directive, DirectiveError, DirectiveKind, parse_directive};
+use super::directive::{Directive, DirectiveError, DirectiveKind, MAX_PREFIXES, parse_directive};
 use super::lexer::{is_line_break, lex};
 use super::token::{TokenKind, Tokens};
 use crate::source::Span;
@@ -31,7 +31,7 @@ pub struct Fragment {
     pub directives: Vec<Placed>,
     /// How many conditions there are.
     pub conditions: usize,
-    /// It has an attribute `@vertex`, `@fragment` or `@compute`.
+    /// It has an attribute `@vertex`, `@fragment` or `@compute` outside of every condition.
     pub has_entry_point: bool,
     /// It declares `fn main_image`, the whole picture of a scene.
     pub has_main_image: bool,
@@ -57,6 +57,8 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
     // What has come since the last token that was neither blank nor a `///` line: the doc comment of a directive.
     let mut doc: Option<(u32, String)> = None;
     let mut broken_condition = false;
+    let mut open_conditions = 0usize;
+    let mut prefixes = Prefixes::default();
     for token in 0..fragment.tokens.len() {
         let span = fragment.tokens.span(token);
         let piece = &text[span.range()];
@@ -78,6 +80,11 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
                 let (doc_start, lines) = doc.take().unzip();
                 match parse_directive(piece, span.start as usize, lines.as_deref().unwrap_or("")) {
                     Ok(directive) => {
+                        match directive.kind {
+                            DirectiveKind::If(_) => open_conditions += 1,
+                            DirectiveKind::Endif => open_conditions = open_conditions.saturating_sub(1),
+                            _ => {}
+                        }
                         let owns_doc = matches!(
                             directive.kind,
                             DirectiveKind::Param(_) | DirectiveKind::Option(_) | DirectiveKind::Slot(_)
@@ -97,8 +104,9 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
                 doc = None;
                 if !kind.is_trivia() {
                     let is_word = kind == TokenKind::Ident;
-                    fragment.has_entry_point |=
-                        after_at && matches!(piece, "vertex" | "fragment" | "compute");
+                    fragment.errors.extend(prefixes.pass(piece, span));
+                    let is_stage = after_at && matches!(piece, "vertex" | "fragment" | "compute");
+                    fragment.has_entry_point |= is_stage && open_conditions == 0;
                     fragment.has_main_image |= after_fn && piece == "main_image";
                     (after_at, after_fn) = (kind == TokenKind::At, is_word && piece == "fn");
                 }
@@ -109,6 +117,28 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
         fragment.check_nesting(); // else every `#endif` of a misspelt `#if` would be a fault too
     }
     fragment
+}
+
+/// Counts operators that stand in a row.
+#[derive(Default)]
+struct Prefixes {
+    start: Span,
+    count: usize,
+}
+
+impl Prefixes {
+    /// Goes past a token; an error once a row gets too long.
+    fn pass(&mut self, piece: &str, span: Span) -> Option<DirectiveError> {
+        if !matches!(piece, "!" | "~" | "-" | "&" | "*" | "--" | "&&") {
+            self.count = 0;
+            return None;
+        }
+        if self.count == 0 {
+            self.start = span;
+        }
+        self.count += 1;
+        (self.count == MAX_PREFIXES + 1).then_some(DirectiveError::Operators { span: self.start })
+    }
 }
 
 impl Fragment {

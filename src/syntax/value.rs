@@ -185,6 +185,16 @@ pub struct ParamDecl {
     pub doc: String,
 }
 
+impl ParamDecl {
+    /// The first number of `value` outside of the range. The range's ends are rounded as the value was: `0.1` is inside of
+    /// `0 .. 0.1`, though as an f32 it lies above it.
+    pub fn outside(&self, value: &Value) -> Option<f64> {
+        let (low, high) = self.range?;
+        let rounded = |end: f64| if self.ty.is_float() { f64::from(end as f32) } else { end };
+        value.numbers().into_iter().find(|number| *number < rounded(low) || *number > rounded(high))
+    }
+}
+
 /// What an option can be set to.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum OptionKind {

@@ -1,8 +1,8 @@
 // ---- fbm ----
 /// How many octaves.
 const fbm_octaves: i32 = 4;
-fn noise2(a: vec2f) -> f32 { return f32(); }
-fn tell(a: f32) {}
+fn noise2(a0: vec2f) -> f32 { return f32(); }
+fn tell(a0: f32) {}
 
 // ---- input.wgsl ----
 // Noise upon noise.

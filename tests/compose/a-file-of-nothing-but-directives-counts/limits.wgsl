@@ -1,0 +1,3 @@
+// A check, and no more.
+
+const_assert 2 > 1;

@@ -1,0 +1,2 @@
+#include "a.wgsl"
+#include "b.wgsl"

@@ -1,0 +1,3 @@
+fn noise(x: f32) -> f32 {
+    return x;
+}

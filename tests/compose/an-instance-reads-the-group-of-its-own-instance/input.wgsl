@@ -1,0 +1,6 @@
+#include "outer.wgsl" as cirrus
+
+@compute @workgroup_size(1)
+fn main() {
+    _ = cirrus_outer();
+}

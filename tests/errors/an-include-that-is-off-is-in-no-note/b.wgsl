@@ -1,0 +1,3 @@
+fn b() -> f32 {
+    return nothing;
+}
