@@ -74,7 +74,11 @@ fn what_makes_no_sense_exits_with_2() {
         &["render", "alpine", "--samples", "0"],
         &["render", "alpine", "--time", "inf"],
         &["render", "alpine", "--frames", "0"],
-        &["render", "alpine", "--fps", "-3"],
+        &["render", "alpine", "--frames", "2", "--fps", "-3"],
+        &["render", "alpine", "--fps", "24"],
+        &["export", "alpine", "--live", " "],
+        &["export", "alpine", "--overrides", "sun.*,"],
+        &["export", "<noise/perlin.wgsl"],
         &["params", "alpine", "--format", "xml"],
         &["list", "everything"],
         &["check"],
@@ -108,6 +112,8 @@ fn wrong_input_exits_with_1_and_says_why() {
         (&["export", "alpine", "--set", "=3"], "there is no name"),
         (&["export", "alpine", "--live", "son.*"], "matches no parameter"),
         (&["export", "alpine", "--overrides", "quality"], "this is an option"),
+        (&["export", "no/such.txt"], "a preset's file ends in .json"),
+        (&["check", "Cargo.toml"], "a preset's file ends in .json"),
         (&["export", "<noise/perlim.wgsl>"], "did you mean `noise/perlin.wgsl`?"),
         (&["render", "alpine", "-o", "picture.bmp"], "png"),
         (&["render", "<noise/perlin.wgsl>", "-o", "picture.png"], "entry point"),
@@ -156,7 +162,82 @@ fn a_failed_run_leaves_the_file_as_it_was() {
     let nowhere = folder.path().join("no/such/folder/x.wgsl").display().to_string();
     let output = orogen(&["export", "alpine", "-o", &nowhere]);
     assert_eq!(status(&output), 1);
-    assert!(err(&output).contains("cannot be written"), "{}", err(&output));
+    assert!(err(&output).contains("no/such/folder` does not exist"), "{}", err(&output));
+    assert!(!err(&output).contains(".orogen-"), "{}", err(&output));
+}
+
+#[test]
+fn a_shader_is_not_written_over_what_it_is_made_of() {
+    let folder = folder();
+    let part = put(&folder, "part.wgsl", "const one = 1;\n");
+    let root = put(&folder, "root.wgsl", "#include \"part.wgsl\"\nconst two = one + 1;\n");
+    let preset = put(&folder, "preset.json", "{\"orogen\": 1, \"scene\": \"root.wgsl\"}");
+    let before: Vec<_> = [&part, &root, &preset].map(|path| fs::read(path).expect("it is there")).into();
+    for (what, target) in [(&root, &root), (&root, &part), (&preset, &preset), (&preset, &root)] {
+        let output = orogen(&["export", what, "-o", target]);
+        assert_eq!(status(&output), 1, "{what} over {target}");
+        assert!(err(&output).contains("is one of the files"), "{}", err(&output));
+    }
+    let after: Vec<_> = [&part, &root, &preset].map(|path| fs::read(path).expect("it is there")).into();
+    assert_eq!(before, after);
+
+    let scene = "#include \"part.png\"\nfn main_image(p: vec2f) -> vec4f { return vec4f(f32(one)); }\n";
+    let scene = put(&folder, "scene.wgsl", scene);
+    let part = put(&folder, "part.png", "const one = 1;\n");
+    let output = orogen(&["render", &scene, "--size", "4x4", "-o", &part]);
+    assert_eq!(status(&output), 1, "{}", err(&output));
+    assert!(err(&output).contains("is one of the files"), "{}", err(&output));
+
+    let other = put(&folder, "noise/pcg.wgsl", "of the same name as one of the library's");
+    let output = command(&["export", "<noise/pcg.wgsl>", "-o", "noise/pcg.wgsl"])
+        .current_dir(folder.path())
+        .output()
+        .expect("it starts");
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    assert!(fs::read_to_string(other).expect("it is there").contains("fn pcg"));
+}
+
+#[test]
+fn a_file_and_its_map_are_written_both_or_neither() {
+    let folder = folder();
+    for (blocked, other) in [("a.wgsl", "a.wgsl.map"), ("b.wgsl.map", "b.wgsl")] {
+        fs::create_dir(folder.path().join(blocked)).expect("folders can be made");
+        let target = folder.path().join(blocked.trim_end_matches(".map")).display().to_string();
+        let output = orogen(&["export", "dunes", "--source-map", "-o", &target]);
+        assert_eq!(status(&output), 1, "{}", err(&output));
+        assert!(!folder.path().join(other).exists(), "{other}");
+    }
+    assert_eq!(files(folder.path()).len(), 2, "no temporary file is left");
+}
+
+#[cfg(unix)]
+#[test]
+fn a_file_keeps_its_permissions_and_a_link_stays_one() {
+    use std::os::unix::fs::{PermissionsExt, symlink};
+    let folder = folder();
+    let old = put(&folder, "old.wgsl", "old");
+    fs::set_permissions(&old, fs::Permissions::from_mode(0o640)).expect("it is ours");
+    assert_eq!(status(&orogen(&["export", "dunes", "-o", &old])), 0);
+    assert_eq!(fs::metadata(&old).expect("it is there").permissions().mode() & 0o777, 0o640);
+
+    let link = folder.path().join("link.wgsl");
+    symlink("new.wgsl", &link).expect("links can be made");
+    let output = orogen(&["export", "dunes", "-o", &link.display().to_string()]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    assert!(fs::symlink_metadata(&link).expect("it is there").is_symlink());
+    assert_eq!(fs::read(folder.path().join("new.wgsl")).ok(), fs::read(&old).ok());
+}
+
+#[test]
+fn overrides_that_a_target_does_not_have_are_told() {
+    for (target, told) in [("wgsl", false), ("json", false), ("glsl", true)] {
+        let arguments = ["export", "dunes", "--target", target, "--overrides", "sun.*, sky.*"];
+        let output = orogen(&arguments);
+        assert_eq!(status(&output), 0, "{}", err(&output));
+        assert_eq!(err(&output).contains("note: glsl has no pipeline overrides"), told, "{}", err(&output));
+    }
+    let quiet = orogen(&["export", "dunes", "--target", "glsl", "--overrides", "sun.*", "--quiet"]);
+    assert!(err(&quiet).is_empty());
 }
 
 #[test]
@@ -199,8 +280,40 @@ fn check_reads_presets_scenes_and_modules() {
     let output = orogen(&["check", "alpine", "dunes", "canyon", "<noise/perlin.wgsl>", "<fractal/fbm.wgsl>"]);
     assert_eq!(status(&output), 0, "{}", err(&output));
     assert!(out(&output).is_empty());
-    assert!(err(&output).contains("5 presets checked"), "{}", err(&output));
+    assert!(err(&output).contains("5 checked, no errors"), "{}", err(&output));
     assert!(err(&orogen(&["check", "alpine", "--quiet"])).is_empty());
+}
+
+#[test]
+fn check_sums_up() {
+    let folder = folder();
+    let broken = put(&folder, "broken.wgsl", "fn f() -> f32 { return nothing; }\n");
+    for (arguments, says) in [
+        (&["check", "alpine"] as &[&str], "1 checked, no errors\n"),
+        (&["check", &broken], "1 checked, it has errors\n"),
+        (&["check", "alpine", &broken, "dunes"], "3 checked, 1 with errors\n"),
+        (&["check", "no/such.txt", "dunes"], "2 checked, 1 with errors\n"),
+    ] {
+        let output = orogen(arguments);
+        assert!(err(&output).ends_with(says), "{arguments:?}: {}", err(&output));
+    }
+}
+
+#[test]
+fn an_extension_may_be_in_capitals() {
+    let folder = folder();
+    let preset = put(&folder, "DAWN.JSON", "{\"orogen\": 1, \"extends\": \"alpine\"}");
+    let fragment = put(&folder, "ONE.WGSL", "const one = 1;\n");
+    let output = orogen(&["check", &preset, &fragment]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+}
+
+#[test]
+fn a_folder_named_like_a_preset_hides_it_not() {
+    let folder = folder();
+    fs::create_dir(folder.path().join("dunes")).expect("folders can be made");
+    let output = command(&["check", "dunes"]).current_dir(folder.path()).output().expect("it starts");
+    assert_eq!(status(&output), 0, "{}", err(&output));
 }
 
 #[test]
@@ -288,9 +401,35 @@ fn eval_reads_points_and_writes_csv() {
     assert_eq!(out(&output), "value\n3705032704\n14\n", "integers wrap");
 
     assert_eq!(out(&orogen(&["eval", "1.5 + 2.0"])), "value\n3.5\n");
+    assert_eq!(out(&orogen(&["eval", "-1.0"])), "value\n-1.0\n");
     let noise =
         orogen(&["eval", "perlin_noise2(p, 7u)", "--include", "<noise/perlin.wgsl>", "--points", &points]);
     assert_eq!(out(&noise).lines().count(), 3, "{}", err(&noise));
+}
+
+#[test]
+fn eval_includes_files_on_disk() {
+    let folder = folder();
+    let beside = put(&folder, "lib/beside.wgsl", "fn half(x: f32) -> f32 { return 0.5 * x; }\n");
+    let absolute = put(
+        &folder,
+        "lib/mine.wgsl",
+        "#include \"beside.wgsl\"\nfn quarter(x: f32) -> f32 { return half(half(x)); }\n",
+    );
+    put(&folder, "other/beside.wgsl", "fn third(x: f32) -> f32 { return x / 3.0; }\n");
+    for (file, call) in [
+        (&*absolute, "quarter(2.0)"),
+        ("lib/mine.wgsl", "quarter(2.0)"),
+        ("lib/mine.wgsl as my", "my_quarter(2.0)"),
+    ] {
+        let mut command = command(&["eval", call, "--include", file]);
+        let output = command.current_dir(folder.path()).output().expect("it starts");
+        assert_eq!(out(&output), "value\n0.5\n", "{file}: {}", err(&output));
+    }
+    let mut command = command(&["eval", "half(1.0)", "--include", &beside, "--include", "other/beside.wgsl"]);
+    let output = command.current_dir(folder.path()).output().expect("it starts");
+    assert_eq!(status(&output), 1);
+    assert!(err(&output).contains("is hidden by"), "{}", err(&output));
 }
 
 #[test]
@@ -299,7 +438,9 @@ fn eval_says_what_is_wrong_with_the_points() {
     for (csv, says) in [
         ("x,y\n1\n", "line 2"),
         ("x\n1\nbanana\n", "line 3"),
-        ("x:u32\n-1\n", "line 2"),
+        ("x:u32\n-1\n", "line 2: `-1` is out of the range of u32"),
+        ("x:i32\n1.5\n", "`1.5` is not of type i32"),
+        ("x\n1e39\n", "`1e39` is out of the range of f32"),
         ("x:f64\n1\n", "f64"),
         ("x,x\n1,2\n", "x"),
         ("9x\n1\n", "9x"),
@@ -337,6 +478,42 @@ fn render_writes_pictures_and_sequences() {
     for (index, blue) in [(1, 0u8), (2, 64), (3, 128)] {
         let frame = image::open(path(&format!("seq_000{index}.png"))).expect("it is numbered").to_rgb8();
         assert!(frame.get_pixel(0, 0)[2].abs_diff(blue) <= 2, "frame {index}: {:?}", frame.get_pixel(0, 0));
+    }
+}
+
+#[test]
+fn a_picture_is_taken_at_the_time_of_its_preset() {
+    let folder = folder();
+    let scene = put(
+        &folder,
+        "clock.wgsl",
+        "#include <frame.wgsl>
+fn main_image(p: vec2f) -> vec4f { return vec4f(fract(frame.time), f32(frame.index) / 255.0, 0.0, 1.0); }\n",
+    );
+    let set = ["--set", "frame.time=0.25", "--set", "frame.index=40"];
+    for (more, name, expected) in [
+        (&[] as &[&str], "clock.png", [64, 40]),
+        (&["--time", "0.75"], "clock.png", [191, 40]),
+        (&["--frames", "3", "--fps", "8"], "clock_0003.png", [128, 42]),
+    ] {
+        let path = folder.path().join("clock.png").display().to_string();
+        let output = orogen(&[&["render", &scene, "--size", "4x4", "-o", &path], &set[..], more].concat());
+        assert_eq!(status(&output), 0, "{}", err(&output));
+        let picture = image::open(folder.path().join(name)).expect("it was written").to_rgb8();
+        let found = picture.get_pixel(0, 0);
+        assert!((0..2).all(|i| found[i].abs_diff(expected[i]) <= 1), "{more:?}: {found:?}");
+    }
+}
+
+#[test]
+fn linear_pictures_leave_the_tone_map_out_where_it_can_be() {
+    let folder = folder();
+    let path = folder.path().join("one.exr").display().to_string();
+    for declaration in ["#param display.tone_map: f32 = 1.0", "#option display.tone_map = a { a, b }"] {
+        let scene = format!("{declaration}\nfn main_image(p: vec2f) -> vec4f {{ return vec4f(1.0); }}\n");
+        let scene = put(&folder, "one.wgsl", &scene);
+        let output = orogen(&["render", &scene, "--size", "4x4", "-o", &path]);
+        assert_eq!(status(&output), 0, "{declaration}: {}", err(&output));
     }
 }
 

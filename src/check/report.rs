@@ -48,7 +48,8 @@ pub(super) fn validation_error(baked: &Baked, error: &WithSpan<ValidationError>)
         }
         _ => None,
     };
-    let plain = function.and_then(|(name, error)| in_words(name, error)).or_else(|| binding_clash(error.as_inner()));
+    let plain =
+        function.and_then(|(name, error)| in_words(name, error)).or_else(|| binding_clash(error.as_inner()));
     let (message, at_place, help) = plain
         .unwrap_or_else(|| (without_handles(&reasons.pop().unwrap_or_default()), "here".to_owned(), None));
     // The narrowest place first: the whole function around it says nothing that the narrower does not.
@@ -169,7 +170,9 @@ fn without_handles(message: &str) -> String {
 
 /// Two variables at one place: what is wrong, what to say there, what to do.
 fn binding_clash(error: &ValidationError) -> Option<(String, String, Option<String>)> {
-    let ValidationError::EntryPoint { source: EntryPointError::BindingCollision(_), .. } = error else { return None };
+    let ValidationError::EntryPoint { source: EntryPointError::BindingCollision(_), .. } = error else {
+        return None;
+    };
     let help = "the live parameters are at `@group(0) @binding(0)`; bind your own elsewhere";
     let message = "two variables are bound at the same place, and one entry point uses both";
     Some((message.into(), "bound where another one is".into(), Some(help.into())))

@@ -62,11 +62,12 @@ pub(super) enum Command {
 
 #[derive(Args)]
 pub(super) struct Baking {
-    /// Keep these parameters live, in a uniform buffer: 'sun.*,clouds.coverage', a group, or 'default'
-    #[arg(long, value_name = "GLOB,…", value_delimiter = ',')]
+    /// Keep these parameters live, in a uniform buffer: 'sun.*,clouds.coverage', a group, or 'default' for those
+    /// declared `live`; wins over --overrides
+    #[arg(long, value_name = "GLOB,…", value_delimiter = ',', value_parser = glob)]
     pub(super) live: Vec<String>,
-    /// Make these parameters pipeline overrides
-    #[arg(long, value_name = "GLOB,…", value_delimiter = ',')]
+    /// Make these parameters pipeline overrides, but for those that --live matches
+    #[arg(long, value_name = "GLOB,…", value_delimiter = ',', value_parser = glob)]
     pub(super) overrides: Vec<String>,
 }
 
@@ -149,14 +150,14 @@ pub(super) struct Render {
     /// Frames to average for every picture, each with its rays moved inside the pixel
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub(super) samples: u32,
-    /// The time of the (first) picture, in seconds
-    #[arg(long, value_name = "S", default_value_t = 0.0, allow_negative_numbers = true, value_parser = finite)]
-    pub(super) time: f32,
+    /// The time of the (first) picture, in seconds; the preset's `frame.time` unless told
+    #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = finite)]
+    pub(super) time: Option<f32>,
     /// Write a sequence of so many pictures, numbered
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(super) frames: Option<u32>,
     /// Pictures a second in a sequence
-    #[arg(long, value_name = "F", default_value_t = 30.0, value_parser = rate)]
+    #[arg(long, value_name = "F", default_value_t = 30.0, value_parser = rate, requires = "frames")]
     pub(super) fps: f32,
     #[command(flatten)]
     pub(super) baking: Baking,
@@ -219,7 +220,7 @@ Columns x,y[,z[,w]] also make the vector p.
   orogen eval 'pcg(i)' --include '<noise/pcg.wgsl>' --points indices.csv       # whose header is i:u32")]
 pub(super) struct Eval {
     /// A WGSL expression
-    #[arg(value_name = "EXPR")]
+    #[arg(value_name = "EXPR", allow_hyphen_values = true)] // `-1.0` is one
     pub(super) expression: String,
     /// A fragment whose functions the expression calls: '<noise/perlin.wgsl>' of the library, or a file (repeatable)
     #[arg(long, value_name = "FRAGMENT")]
@@ -241,6 +242,15 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         Some((0, _) | (_, 0)) => Err("a picture has at least one pixel each way".into()),
         Some(size) => Ok(size),
         None => Err("write WIDTHxHEIGHT, as in 960x540".into()),
+    }
+}
+
+fn glob(text: &str) -> Result<String, String> {
+    let glob = text.trim();
+    if glob.is_empty() {
+        Err("write names with commas between, as in 'sun.*,sky'".into())
+    } else {
+        Ok(glob.into())
     }
 }
 

@@ -23,13 +23,23 @@ pub(super) fn run(args: &Check, common: &Common) -> Outcome {
                     output::complain(&error.render(super::colour()));
                 }
             }
+            Err(Failure::System(message)) => {
+                wrong += 1;
+                output::complain(&format!("error: {message}\n"));
+            }
             Err(other) => return Err(other),
         }
     }
     if !common.quiet && !json {
-        let all = args.presets.len();
-        let them = if all == 1 { "preset" } else { "presets" };
-        output::complain(&format!("{all} {them} checked, {wrong} with errors\n"));
+        output::complain(&format!("{}\n", summary(args.presets.len(), wrong)));
     }
     if wrong == 0 { Ok(()) } else { Err(Failure::Reported) }
+}
+
+fn summary(all: usize, wrong: usize) -> String {
+    match (all, wrong) {
+        (_, 0) => format!("{all} checked, no errors"),
+        (1, _) => "1 checked, it has errors".into(),
+        _ => format!("{all} checked, {wrong} with errors"),
+    }
 }

@@ -1,13 +1,13 @@
 //! `orogen export`
 
 use std::io::IsTerminal;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use orogen::export;
+use orogen::{Shader, export};
 
 use super::args::{self, Common, Export};
 use super::failure::{Failure, Outcome};
-use super::{input, output};
+use super::{input, made_of, output};
 
 pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     let target = match args.target {
@@ -39,12 +39,31 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     composer.keep_unused = args.keep_unused;
     let shader = composer.run(&library, &preset, &target.bake(input::bake(&args.baking)))?;
     let bytes = export::export(&shader, target, &composer.templates)?;
-    if args.source_map {
-        let name =
-            args.output.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-        let mut beside = args.output.clone().into_os_string();
-        beside.push(".map");
-        output::write(&PathBuf::from(beside), export::source_map(&shader, &name).as_bytes())?;
+    if !args.baking.overrides.is_empty() && !common.quiet && !has_overrides(target) {
+        output::complain(&format!(
+            "note: {target} has no pipeline overrides: those parameters are constants\n"
+        ));
     }
-    output::write(&args.output, &bytes)
+    made_of::spare(&shader, &args.output)?;
+    if args.source_map {
+        write_with_map(&args.output, &bytes, &shader)
+    } else {
+        output::write(&args.output, &bytes)
+    }
+}
+
+fn has_overrides(target: export::Target) -> bool {
+    matches!(target, export::Target::Wgsl | export::Target::Json)
+}
+
+/// The file and its map, or neither.
+fn write_with_map(path: &Path, bytes: &[u8], shader: &Shader) -> Outcome {
+    let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
+    let map = export::source_map(shader, &name);
+    let mut beside = path.as_os_str().to_owned();
+    beside.push(".map");
+    let beside = Path::new(&beside);
+    made_of::spare(shader, beside)?;
+    let drafts = [output::prepare(path, bytes)?, output::prepare(beside, map.as_bytes())?];
+    drafts.into_iter().try_for_each(output::Draft::persist)
 }

@@ -1,7 +1,8 @@
 //! From what stands on the command line to what the library takes.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use orogen::source::preset_names;
 use orogen::{Compose, Library, Preset, Templates};
 
 use super::args::{Baking, Common};
@@ -27,17 +28,34 @@ pub(super) fn composer(common: &Common) -> Result<Compose, Failure> {
 /// The preset that `name` stands for, with the values of `--set`.
 pub(super) fn preset(name: &str, common: &Common) -> Result<Preset, Failure> {
     let path = Path::new(name);
-    let extension = path.extension().and_then(|extension| extension.to_str());
-    let mut preset = match extension {
-        _ if name.starts_with('<') => Preset::of_module(name.trim_matches(['<', '>'])),
+    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    let mut preset = match extension.as_deref() {
+        _ if name.starts_with('<') => Preset::of_module(module(name)?),
         Some("json") => Preset::file(path)?,
-        Some("wgsl") => Preset::of_file(PathBuf::from(name)),
+        Some("wgsl") => Preset::of_file(path),
+        _ if is_meant_as_path(name) => {
+            let why = format!("`{name}`: a preset's file ends in .json, a fragment's in .wgsl");
+            return Err(Failure::System(why));
+        }
         _ => Preset::named(name)?,
     };
     for assignment in &common.set {
         preset.set(assignment)?;
     }
     Ok(preset)
+}
+
+/// `<noise/perlin.wgsl>` → `noise/perlin.wgsl`
+fn module(name: &str) -> Result<&str, Failure> {
+    let inside = name.strip_prefix('<').and_then(|rest| rest.strip_suffix('>'));
+    inside.ok_or_else(|| {
+        Failure::Usage(format!("`{name}` has no `>` at its end: write '<noise/perlin.wgsl>', in quotes"))
+    })
+}
+
+/// Whether `name` is no name of a built-in preset, but of something on disk. A folder `alpine` hides no preset.
+fn is_meant_as_path(name: &str) -> bool {
+    !preset_names().contains(&name) && (name.contains(['/', '\\']) || Path::new(name).exists())
 }
 
 /// How parameters are baked.

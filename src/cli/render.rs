@@ -2,11 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use orogen::Shader;
+use orogen::preset::{Declarations, Knob};
 use orogen::render::{self, Gpu, Shot};
+use orogen::syntax::OptionKind;
 
 use super::args::{Common, Render};
 use super::failure::{Failure, Outcome};
-use super::{input, output, progress};
+use super::{input, made_of, output, progress};
 
 pub(super) fn run(args: &Render, common: &Common) -> Outcome {
     let library = input::library(common)?;
@@ -18,6 +21,8 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
         linear_display(&mut composer, &library, &mut preset, common)?;
     }
     let shader = composer.run(&library, &preset, &input::bake(&args.baking))?;
+    let (start, first) = first_frame(&shader);
+    let start = args.time.unwrap_or(start);
     let gpu = Gpu::new(args.adapter.as_deref())?;
     let frames = args.frames.unwrap_or(1);
     let bar = progress::bar(preset.name(), common.quiet);
@@ -25,17 +30,18 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
         let (width, height) = args.size;
         let shot = Shot {
             samples: args.samples,
-            time: args.time + index as f32 / args.fps,
+            time: start + index as f32 / args.fps,
             delta: args.frames.map(|_| 1.0 / args.fps),
-            index,
+            index: first.wrapping_add(index),
             ..Shot::new(width, height)
         };
         let mut report = |done: u64, total: u64| {
             bar.set_length(total * u64::from(frames));
             bar.set_position(done + total * u64::from(index));
         };
-        let picture = render::render(&gpu, &shader, &preset, &shot, &mut report)?;
         let target = if args.frames.is_some() { numbered(&path, index, frames) } else { path.clone() };
+        made_of::spare(&shader, &target)?;
+        let picture = render::render(&gpu, &shader, &preset, &shot, &mut report)?;
         output::write(&target, &render::encode(&picture, format)?)?;
     }
     bar.finish_and_clear();
@@ -55,12 +61,37 @@ fn linear_display(
     common: &Common,
 ) -> Result<(), Failure> {
     const OPTION: &str = "display.tone_map";
-    let survey = composer.survey(library, preset)?;
-    let is_told = common.set.iter().any(|assignment| assignment.trim_start().starts_with(OPTION));
-    if !is_told && survey.declarations.find(OPTION).is_some() {
+    let is_told = common.set.iter().any(|assignment| name_in(assignment) == OPTION);
+    if !is_told && can_be_none(&composer.survey(library, preset)?.declarations, OPTION) {
         preset.set(&format!("{OPTION}=none"))?;
     }
     Ok(())
+}
+
+/// `sun.elevation=6` → `sun.elevation`
+fn name_in(assignment: &str) -> &str {
+    assignment.split_once('=').map_or(assignment, |(name, _)| name).trim()
+}
+
+fn can_be_none(declarations: &Declarations, option: &str) -> bool {
+    let Some(Knob::Option(index)) = declarations.find(option) else { return false };
+    matches!(&declarations.options[index].decl.kind, OptionKind::Choice(choices) if choices.iter().any(|c| c == "none"))
+}
+
+/// The preset's `frame.time` and `frame.index`, as far as the shader reads them.
+fn first_frame(shader: &Shader) -> (f32, u32) {
+    let fields = shader.interface().uniform.iter().flat_map(|uniform| &uniform.fields);
+    let (mut time, mut index) = (0.0, 0);
+    for field in fields {
+        match field.parameter.as_str() {
+            "frame.time" => time = field.value.as_f64().unwrap_or_default() as f32,
+            "frame.index" => {
+                index = field.value.as_u64().and_then(|value| value.try_into().ok()).unwrap_or_default();
+            }
+            _ => {}
+        }
+    }
+    (time, index)
 }
 
 /// `out.png` → `out_0001.png`, with as many digits as the sequence needs, four at least.

@@ -50,7 +50,11 @@ pub(super) fn interface(shader: &Shader) -> String {
         orogen: env!("CARGO_PKG_VERSION"),
         name: &composition.name,
         about: &composition.about,
-        options: composition.options.iter().map(|one| (one.decl.key.to_string(), option_json(&one.decl, one.value))).collect(),
+        options: composition
+            .options
+            .iter()
+            .map(|one| (one.decl.key.to_string(), option_json(&one.decl, one.value)))
+            .collect(),
         parameters: parameters.map(|(parameter, storage)| entry(parameter, *storage)).collect(),
         interface: shader.interface(),
     };

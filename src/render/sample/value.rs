@@ -100,12 +100,30 @@ impl Kind {
     pub fn parse(self, text: &str) -> Option<Scalar> {
         let text = text.trim();
         match self {
-            Self::F32 => text.parse().ok().map(Scalar::F32),
+            Self::F32 => text.parse().ok().filter(|value| is_as_spelled(*value, text)).map(Scalar::F32),
             Self::I32 => text.parse().ok().map(Scalar::I32),
             Self::U32 => text.parse().ok().map(Scalar::U32),
             Self::Bool => text.parse().ok().map(Scalar::Bool),
         }
     }
+
+    /// What is wrong with a `text` that [`Kind::parse`] does not take: `is not of type u32`, `is out of the range of u32`.
+    pub fn refusal(self, text: &str) -> String {
+        let text = text.trim();
+        let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
+        let is_number = match self {
+            Self::F32 => text.parse::<f32>().is_ok(),
+            Self::I32 | Self::U32 => !digits.is_empty() && digits.bytes().all(|byte| byte.is_ascii_digit()),
+            Self::Bool => false,
+        };
+        let how = if is_number { "is out of the range of" } else { "is not of type" };
+        format!("{how} {}", self.name())
+    }
+}
+
+/// Whether `value` is what `text` spells: `1e39` reads as infinity, and means none.
+fn is_as_spelled(value: f32, text: &str) -> bool {
+    value.is_finite() || !text.bytes().any(|byte| byte.is_ascii_digit())
 }
 
 impl Scalar {
