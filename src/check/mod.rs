@@ -56,13 +56,15 @@ pub fn check(baked: Baked) -> Result<Checked, Error> {
             };
             Err(Error::new(vec![diagnostic], baked.composition.files.clone()))
         }
-        Err(Panicked(why)) => {
-            let diagnostic = Diagnostic::error("OR0703", format!("naga panicked while checking: {why}"))
-                .help(Some(
-                    "this is a fault of naga; a smaller shader that shows it is worth a report there".into(),
-                ));
-            Err(Error::bare(diagnostic))
-        }
+        Err(panicked) => Err(panicked.into()),
+    }
+}
+
+impl From<Panicked> for Error {
+    fn from(Panicked(why): Panicked) -> Self {
+        let help = "this is a fault of naga; a smaller shader that shows it is worth a report there";
+        let diagnostic = Diagnostic::error("OR0703", format!("naga panicked while checking: {why}"));
+        Self::bare(diagnostic.help(Some(help.into())))
     }
 }
 

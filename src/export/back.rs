@@ -181,7 +181,7 @@ mod tests {
     #[test]
     fn a_panic_of_nagas_is_an_error_of_ours() {
         let outcome = written::<()>(Target::Hlsl, || panic!("internal error: entered unreachable code"));
-        let error = outcome.expect_err("it panicked").bare();
+        let error = crate::Error::from(outcome.expect_err("it panicked"));
         assert_eq!(error.diagnostics()[0].code, "OR0811");
         assert_eq!(error.diagnostics()[0].notes, ["naga says: internal error: entered unreachable code"]);
     }

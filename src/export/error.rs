@@ -80,12 +80,14 @@ pub enum ExportError {
     },
 }
 
-impl ExportError {
-    /// Told without a place.
-    pub(super) fn bare(self) -> Error {
-        Error::bare(self.diagnostic())
+/// Told without a place.
+impl From<ExportError> for Error {
+    fn from(error: ExportError) -> Self {
+        Self::bare(error.diagnostic())
     }
+}
 
+impl ExportError {
     /// Told at the author's place, where there is one.
     pub(super) fn told(self, shader: &Shader) -> Error {
         let baked = &shader.checked().baked;

@@ -78,7 +78,7 @@ impl Target {
     pub fn stage(self, requested: Option<Stage>) -> Result<Stage, crate::Error> {
         match (self, requested) {
             (Self::Glsl | Self::Shadertoy, Some(Stage::Compute)) => {
-                Err(ExportError::Stage { target: self }.bare())
+                Err(ExportError::Stage { target: self }.into())
             }
             (Self::Glsl | Self::Shadertoy, _) => Ok(Stage::MainImage),
             (_, requested) => Ok(requested.unwrap_or_default()),
@@ -103,6 +103,6 @@ impl FromStr for Target {
 
     fn from_str(name: &str) -> Result<Self, Self::Err> {
         let found = Self::ALL.into_iter().find(|target| target.name() == name);
-        found.ok_or_else(|| ExportError::UnknownTarget { name: name.to_owned() }.bare())
+        found.ok_or_else(|| ExportError::UnknownTarget { name: name.to_owned() }.into())
     }
 }
