@@ -195,6 +195,12 @@ fn a_shader_is_not_written_over_what_it_is_made_of() {
         .expect("it starts");
     assert_eq!(status(&output), 0, "{}", err(&output));
     assert!(fs::read_to_string(other).expect("it is there").contains("fn pcg"));
+
+    // A byte order mark is not part of the text that was read, and protects no less.
+    let marked = put(&folder, "marked.wgsl", "\u{feff}const one = 1;\n");
+    let output = orogen(&["export", &marked, "-o", &marked]);
+    assert_eq!(status(&output), 1, "{}", err(&output));
+    assert!(fs::read_to_string(&marked).expect("it is there").starts_with('\u{feff}'));
 }
 
 #[test]

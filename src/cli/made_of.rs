@@ -13,7 +13,7 @@ pub(super) fn spare(shader: &Shader, output: &Path) -> Outcome {
     // The library's own fragments have names like paths, too: only a file of the same text was read.
     let is_source = files.iter().any(|(_, file)| {
         Path::new(&*file.name).canonicalize().is_ok_and(|source| source == target)
-            && std::fs::read(&target).is_ok_and(|bytes| bytes == file.text.as_bytes())
+            && std::fs::read(&target).is_ok_and(|bytes| without_mark(&bytes) == file.text.as_bytes())
     });
     if is_source {
         let shown = output.display();
@@ -21,4 +21,9 @@ pub(super) fn spare(shader: &Shader, output: &Path) -> Outcome {
         return Err(Failure::System(why));
     }
     Ok(())
+}
+
+/// A byte order mark is left out when a file is read.
+fn without_mark(bytes: &[u8]) -> &[u8] {
+    bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)
 }
