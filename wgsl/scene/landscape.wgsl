@@ -18,11 +18,18 @@ struct Traced {
 /// What is seen from `origin` (m) in the unit `direction`.
 fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
     let hit = terrain_trace(origin, direction);
-    if hit.hit {
-        return Traced(terrain_radiance(origin, direction, hit.distance), hit.distance);
+    if !hit.hit {
+        let clear = sky_radiance(direction) + sun_disc(direction);
+        return Traced(cirrus_veil(clear, origin, direction), terrain.far);
     }
-    let clear = sky_radiance(direction) + sun_disc(direction);
-    return Traced(cirrus_veil(clear, origin, direction), terrain.far);
+    let footprint = terrain_footprint(hit.distance);
+    let along = origin + hit.distance * direction;
+    let land = terrain_height_grad_filtered(along.xz, footprint);
+    let position = vec3f(along.x, land.x, along.z);
+    let normal = normalize(vec3f(-land.y, 1.0, -land.z));
+    let sun_seen = terrain_shadow(position, normal, footprint);
+    let radiance = terrain_shade(position, normal, footprint, sun_seen);
+    return Traced(sky_veil(radiance, origin, direction, hit.distance), hit.distance);
 }
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.

@@ -1,4 +1,4 @@
-// How the land is found by a ray, lit and veiled.
+// How the land is found by a ray, shadowed and lit.
 
 #include <camera/camera.wgsl>
 #include <light/outdoor.wgsl>
@@ -51,29 +51,32 @@ fn terrain_trace(origin: vec3f, direction: vec3f) -> land_Hit {
     return land_march(origin, direction, terrain_ceiling(), terrain.far, how);
 }
 
-/// Radiance of the land at `distance` (m) along a ray, haze included.
-fn terrain_radiance(origin: vec3f, direction: vec3f, distance: f32) -> vec3f {
-    let footprint = LAND_DETAIL * distance * camera_pixel_angle();
-    let along = origin + distance * direction;
-    let land = terrain_height_grad_filtered(along.xz, footprint);
-    let position = vec3f(along.x, land.x, along.z);
-    let normal = normalize(vec3f(-land.y, 1.0, -land.z));
-    let here = terrain_material(position, normal, footprint);
-
+/// Part of the sun that the land leaves to `position` (m), 0 .. 1; `normal` is the land's there.
+fn terrain_shadow(position: vec3f, normal: vec3f, footprint: f32) -> f32 {
     let to_sun = sun_direction();
-    let lift = max(0.5 * footprint, 0.02);
-    var lit = 0.0;
-    if dot(normal, to_sun) > 0.0 {
-        lit = land_shadow(
-            position + lift * normal, to_sun, sun.radius, max(2.0 * footprint, 0.3), terrain.shadow_reach,
-            terrain_ceiling(), footprint, LAND_SHADOW_STEPS,
-        );
+    if dot(normal, to_sun) <= 0.0 {
+        return 0.0;
     }
+    let start = position + max(0.5 * footprint, 0.02) * normal;
+    return land_shadow(
+        start, to_sun, sun.radius, max(2.0 * footprint, 0.3), terrain.shadow_reach, terrain_ceiling(), footprint,
+        LAND_SHADOW_STEPS,
+    );
+}
+
+/// Radiance of the ground at `position` (m) with unit `normal` and `sun_seen` of the sun, 0 .. 1; no haze.
+fn terrain_shade(position: vec3f, normal: vec3f, footprint: f32, sun_seen: f32) -> vec3f {
+    let here = terrain_material(position, normal, footprint);
     // A hollow is where the land around is higher than here: it sees less of the sky.
     let around = terrain_height_filtered(position.xz, terrain.hollow);
     let openness = clamp(0.85 + 1.2 * (position.y - around) / terrain.hollow, 0.35, 1.0);
-    let radiance = outdoor_radiance(
-        here.albedo, here.normal, to_sun, sun_light(), sky_irradiance(), lit, openness, terrain.surroundings,
+    return outdoor_radiance(
+        here.albedo, here.normal, sun_direction(), sun_light(), sky_irradiance(), sun_seen, openness,
+        terrain.surroundings,
     );
-    return sky_veil(radiance, origin, direction, distance);
+}
+
+/// Width (m) of a pixel `distance` (m) away, as far as the land's details are concerned.
+fn terrain_footprint(distance: f32) -> f32 {
+    return LAND_DETAIL * distance * camera_pixel_angle();
 }

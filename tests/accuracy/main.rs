@@ -1,0 +1,13 @@
+//! What the library's functions promise, measured on the GPU against `truth`: f64, written in Rust from the definitions.
+//!
+//! Every promise is a row: what was measured, and the bound that it must keep. A row that breaks its bound fails the test;
+//! all rows together are `docs/accuracy.md`, which `cargo xtask accuracy` writes anew.
+//!
+//! The fragments are read from `wgsl/` as it stands on disk, so this binary can be run again after an edit of WGSL without
+//! being built again.
+
+#![cfg(feature = "render")]
+#![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
+#![allow(clippy::print_stdout, reason = "these tests show their numbers")]
+
+mod harness;

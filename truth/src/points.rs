@@ -1,0 +1,39 @@
+//! Where functions are looked at: the same points in every run.
+
+use crate::hash::pcg;
+
+/// A stream of uniformly distributed numbers.
+#[derive(Debug, Clone)]
+pub struct Random {
+    state: u32,
+}
+
+impl Random {
+    /// Another `seed`, another stream.
+    #[must_use]
+    pub fn new(seed: u32) -> Self {
+        Self { state: pcg(seed) }
+    }
+
+    /// 32 random bits.
+    pub fn bits(&mut self) -> u32 {
+        self.state = self.state.wrapping_add(0x9E37_79B9);
+        pcg(pcg(self.state))
+    }
+
+    /// A number in `low .. high`, an `f32` to the last bit.
+    pub fn within(&mut self, low: f32, high: f32) -> f32 {
+        let part = self.bits() as f32 / 4_294_967_296.0;
+        low + part * (high - low)
+    }
+
+    /// A point of `N` coordinates, each in `-reach .. reach`.
+    pub fn point<const N: usize>(&mut self, reach: f32) -> [f32; N] {
+        std::array::from_fn(|_| self.within(-reach, reach))
+    }
+
+    /// So many points, each coordinate in `-reach .. reach`.
+    pub fn points<const N: usize>(&mut self, count: usize, reach: f32) -> Vec<[f32; N]> {
+        (0..count).map(|_| self.point(reach)).collect()
+    }
+}
