@@ -21,39 +21,30 @@
 
 /// Height of the land (m) at `p` (m, east and south), with every detail.
 fn terrain_height(p: vec2f) -> f32 {
-    return terrain_height_filtered(p, 0.0);
+    return terrain_height_grad_filtered(p, 0.0).x;
 }
 
 /// Height of the land (m) at `p` (m), without the octaves that are too small to be seen in a pixel `footprint` (m)
 /// wide.
 fn terrain_height_filtered(p: vec2f, footprint: f32) -> f32 {
+    return terrain_height_grad_filtered(p, footprint).x;
+}
+
+/// Height of the land and its slope: (height in m, rise over run to the east, to the south). Analytic.
+fn terrain_height_grad(p: vec2f) -> vec3f {
+    return terrain_height_grad_filtered(p, 0.0);
+}
+
+/// As `terrain_height_grad`, without the octaves that are too small to be seen in a pixel `footprint` (m) wide.
+fn terrain_height_grad_filtered(p: vec2f, footprint: f32) -> vec3f {
     let octaves = min(terrain.octaves, log2(terrain.scale / max(2.0 * footprint, 1e-3)));
 #if terrain.relief == dunes
-    return dunes_height(p, octaves, footprint);
+    return dunes_height_grad(p, octaves);
 #elif terrain.relief == terraces
-    return terraces_height(p, octaves);
+    return terraces_height_grad(p, octaves);
 #else
-    return mountains_height(p, octaves);
+    return mountains_height_grad(p, octaves);
 #endif
-}
-
-/// Height of the land and its slope: (height in m, rise over run to the east, to the south). By central differences.
-fn terrain_height_grad(p: vec2f) -> vec3f {
-    return terrain_height_grad_filtered(p, 0.1);
-}
-
-/// As `terrain_height_grad`, filtered to a pixel `footprint` (m) wide, over which the differences are taken as well.
-fn terrain_height_grad_filtered(p: vec2f, footprint: f32) -> vec3f {
-    let resolvable = 4e-6 * max(abs(p.x), abs(p.y)); // some 30 steps of an f32 that large
-    let reach = max(max(footprint, 0.05), resolvable);
-    // West, east, north, south: a loop, since compilers copy the whole land into every place that it is called from.
-    var around = vec4f(0.0);
-    for (var i = 0; i < 4; i++) {
-        let offset = select(0.5, -0.5, (i & 1) == 0) * reach;
-        let here = p + select(vec2f(0.0, offset), vec2f(offset, 0.0), i < 2);
-        around[i] = terrain_height_filtered(here, footprint);
-    }
-    return vec3f(0.25 * dot(around, vec4f(1.0)), (around.y - around.x) / reach, (around.w - around.z) / reach);
 }
 
 /// A height (m) that the land nowhere exceeds.

@@ -29,7 +29,7 @@ const DETAIL_OCTAVE: f32 = 4.0; // the octave at which roughness begins: a sixte
 /// the land.
 ///
 /// Costly: up to `terrain.octaves` + 4 noises and five generations of gullies.
-fn mountains_height(p: vec2f, octaves: f32) -> f32 {
+fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
     let q = p / terrain.scale;
     // Where the mountains are: a map of its own, much coarser than they.
     let region = terrain_noise(0.31 * q + vec2f(3.7, 9.2), terrain.seed + 101u);
@@ -63,7 +63,7 @@ fn mountains_height(p: vec2f, octaves: f32) -> f32 {
     let steep = smoothstep(0.1, 1.0, length(land.yz));
     let fine = relief_fbm2(16.0 * q, terrain.seed + 307u, octaves - DETAIL_OCTAVE, 0.58, terrain.lacunarity);
     land.x += terrain.detail * (0.08 + 0.92 * steep) * fine.x;
-    return land.x;
+    return land;
 }
 
 /// A height (m) that the mountains nowhere exceed.

@@ -22,8 +22,9 @@ fn terrace_boundary(index: f32, layers: f32, seed: u32) -> f32 {
     return index + 0.8 * unit_float(pcg_cell2(vec2i(i32(index), 0), seed)) - 0.4;
 }
 
-/// Stairs of uneven height: 0 .. 1 for `level` 0 .. 1, never falling. Each has a slope of rubble, a cliff and a bench.
-fn terrace_profile(level: f32, layers: f32, cliffs: f32, seed: u32) -> f32 {
+/// Stairs of uneven height and how steep they are: (0 .. 1, d/d`level`) for `level` 0 .. 1, never falling. Each has a
+/// slope of rubble, a cliff and a bench.
+fn terrace_profile(level: f32, layers: f32, cliffs: f32, seed: u32) -> vec2f {
     let x = clamp(level, 0.0, 1.0) * layers;
     var layer = floor(x);
     if x < terrace_boundary(layer, layers, seed) {
@@ -36,24 +37,35 @@ fn terrace_profile(level: f32, layers: f32, cliffs: f32, seed: u32) -> f32 {
     let t = clamp((x - base) / (top - base), 0.0, 1.0);
     let hardness = unit_float(pcg_cell2(vec2i(i32(layer), 1), seed));
     let cliff_height = 0.35 + 0.35 * hardness;
-    let rubble = (0.92 - cliff_height) * smoothstep(0.0, 1.0, t / 0.45) * (0.5 + 0.5 * min(t / 0.45, 1.0));
-    let cliff = cliff_height * smoothstep(0.45, 0.55, t);
+    let r = min(t / 0.45, 1.0);
+    let rubble = (0.92 - cliff_height) * r * r * (3.0 - 2.0 * r) * (0.5 + 0.5 * r);
+    let c = clamp((t - 0.45) / 0.1, 0.0, 1.0);
+    let cliff = cliff_height * c * c * (3.0 - 2.0 * c);
     let bench = 0.08 * t;
-    return (base + (top - base) * mix(t, rubble + cliff + bench, cliffs)) / layers;
+
+    let rubble_slope = select((0.92 - cliff_height) * r * (3.0 + 1.5 * r - 4.0 * r * r) / 0.45, 0.0, t >= 0.45);
+    let steepness = rubble_slope + cliff_height * 60.0 * c * (1.0 - c) + 0.08;
+    let inside = level > 0.0 && level < 1.0;
+    return vec2f(
+        (base + (top - base) * mix(t, rubble + cliff + bench, cliffs)) / layers,
+        select(0.0, mix(1.0, steepness, cliffs), inside),
+    );
 }
 
-/// Height (m) of the terraced land at `p` (m).
-fn terraces_height(p: vec2f, octaves: f32) -> f32 {
+/// Height of the terraced land (m) and its slope at `p` (m).
+fn terraces_height_grad(p: vec2f, octaves: f32) -> vec3f {
     let q = p / terrain.scale;
-    let bend = vec2f(
-        terrain_noise(1.7 * q + vec2f(5.2, 1.3), terrain.seed + 61u).x,
-        terrain_noise(1.7 * q + vec2f(8.1, 7.4), terrain.seed + 62u).x,
-    );
-    let wide = plateau_fbm2(q + 0.22 * bend, terrain.seed, min(octaves, 4.0), 0.5, 2.1).x;
-    let fine = plateau_fbm2(16.0 * q, terrain.seed + 71u, octaves - 4.0, 0.55, 2.05).x;
-    let level = 0.55 - 0.4 * terraces.erosion + 0.95 * wide + 0.035 * fine;
+    let east = terrain_noise(1.7 * q + vec2f(5.2, 1.3), terrain.seed + 61u);
+    let south = terrain_noise(1.7 * q + vec2f(8.1, 7.4), terrain.seed + 62u);
+    let bent = q + 0.22 * vec2f(east.x, south.x);
+    let wide = plateau_fbm2(bent, terrain.seed, min(octaves, 4.0), 0.5, 2.1);
+    let wide_slope = wide.yz + 0.374 * (wide.y * east.yz + wide.z * south.yz); // 0.374 = 0.22 · 1.7
+    let fine = plateau_fbm2(16.0 * q, terrain.seed + 71u, octaves - 4.0, 0.55, 2.05);
+    let level = 0.55 - 0.4 * terraces.erosion + 0.95 * wide.x + 0.035 * fine.x;
+    let level_slope = 0.95 * wide_slope + 0.56 * fine.yz; // 0.56 = 0.035 · 16
     let stairs = terrace_profile(level, terraces.layers, terraces.cliffs, terrain.seed + 5u);
-    return terraces.depth * (stairs + 0.012 * fine);
+    let slope = terraces.depth / terrain.scale * (stairs.y * level_slope + 0.192 * fine.yz);
+    return vec3f(terraces.depth * (stairs.x + 0.012 * fine.x), slope);
 }
 
 /// A height (m) that the land nowhere exceeds.
