@@ -9,3 +9,39 @@ struct Jet2 {
     /// (d²/dx², d²/dxdy, d²/dy²).
     hessian: vec3f,
 }
+
+/// `a` + `b`.
+fn jet2_sum(a: Jet2, b: Jet2) -> Jet2 {
+    return Jet2(a.value + b.value, a.gradient + b.gradient, a.hessian + b.hessian);
+}
+
+/// `factor` · `a`.
+fn jet2_scaled(a: Jet2, factor: f32) -> Jet2 {
+    return Jet2(factor * a.value, factor * a.gradient, factor * a.hessian);
+}
+
+/// `a` · `b`.
+fn jet2_product(a: Jet2, b: Jet2) -> Jet2 {
+    let cross = a.gradient.xxy * b.gradient.xyy + b.gradient.xxy * a.gradient.xyy;
+    return Jet2(
+        a.value * b.value,
+        a.value * b.gradient + b.value * a.gradient,
+        a.value * b.hessian + b.value * a.hessian + cross,
+    );
+}
+
+/// f(`a`) where f has the value `f0`, the slope `f1` and the second derivative `f2` at a.value.
+fn jet2_through(a: Jet2, f0: f32, f1: f32, f2: f32) -> Jet2 {
+    return Jet2(f0, f1 * a.gradient, f1 * a.hessian + f2 * a.gradient.xxy * a.gradient.xyy);
+}
+
+/// A jet taken at q = `map` · p + constant, as a function of p.
+fn jet2_carried(a: Jet2, map: mat2x2f) -> Jet2 {
+    let turned_x = vec2f(dot(a.hessian.xy, map[0]), dot(a.hessian.yz, map[0])); // Hessian times the first column
+    let turned_y = vec2f(dot(a.hessian.xy, map[1]), dot(a.hessian.yz, map[1]));
+    return Jet2(
+        a.value,
+        a.gradient * map, // a row vector times M is Mᵀ times the vector
+        vec3f(dot(map[0], turned_x), dot(map[0], turned_y), dot(map[1], turned_y)),
+    );
+}
