@@ -1,25 +1,45 @@
 // Fractal Brownian motion over any two-dimensional noise: octaves of rising frequency and falling strength.
 
+#include <fractal/octaves.wgsl>
+
 /// The noise: (value, d/dx, d/dy), value -1 .. 1.
 #slot noise2: fn(p: vec2f, seed: u32) -> vec3f
-
-const FBM_MAX_OCTAVES: i32 = 16;
-// Each octave is turned by 36.87 degrees (exact in a 3-4-5 triangle) and shifted, so that no two lattices line up.
-const FBM_TURN: mat2x2f = mat2x2f(vec2f(0.8, 0.6), vec2f(-0.6, 0.8));
-const FBM_SHIFT: vec2f = vec2f(37.31, 17.83);
 
 /// Sum of octaves with its analytic gradient: (value, d/dx, d/dy).
 ///
 /// Octave i has `gain`^i times the strength and `lacunarity`^i times the frequency of the first, which has
 /// strength 1 and the noise's own scale. `octaves` may be fractional, 0 .. 16: the last one then has that part of
 /// its strength, so that a count which falls with distance does not pop. Range +-`fbm_bound(octaves, gain)`. For
-/// noise of Hurst exponent H take gain = lacunarity^-H (Musgrave, in Ebert et al., "Texturing and Modeling").
+/// noise of Hurst exponent H take gain = lacunarity^-H (`fbm_gain`; Musgrave, in Ebert et al., "Texturing and
+/// Modeling").
 fn fbm2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32) -> vec3f {
+    return fbm2_turned(p, seed, octaves, gain, lacunarity, FRACTAL_TURN, FRACTAL_SHIFT);
+}
+
+/// As `fbm2`, divided by `fbm_bound(octaves, gain)`: value -1 .. 1 whatever the octaves. `octaves` > 0.
+fn fbm2_normalized(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32) -> vec3f {
+    return fbm2(p, seed, octaves, gain, lacunarity) / max(fbm_bound(octaves, gain), 1e-6);
+}
+
+/// As `fbm2`, with the rotation `turn` and the offset `shift` (in cells of the finer octave) from one octave to the
+/// next: q' = lacunarity · turn · q + shift.
+///
+/// Without either (identity, 0) all lattices have their corners in common, and show. The gradient is exact for any
+/// matrix; `fbm_slope_bound` holds for rotations.
+fn fbm2_turned(
+    p: vec2f,
+    seed: u32,
+    octaves: f32,
+    gain: f32,
+    lacunarity: f32,
+    turn: mat2x2f,
+    shift: vec2f,
+) -> vec3f {
     var sum = vec3f(0.0);
     var strength = 1.0;
     var q = p;
     var to_octave = mat2x2f(vec2f(1.0, 0.0), vec2f(0.0, 1.0)); // from p to this octave's plane
-    for (var i = 0; i < FBM_MAX_OCTAVES; i++) {
+    for (var i = 0; i < FRACTAL_MAX_OCTAVES; i++) {
         let presence = clamp(octaves - f32(i), 0.0, 1.0);
         if presence <= 0.0 {
             break;
@@ -27,8 +47,8 @@ fn fbm2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32) -> vec3f 
         let n = noise2(q, seed + u32(i));
         sum += strength * presence * vec3f(n.x, n.yz * to_octave); // a row vector times M is Mᵀ times the vector
         strength *= gain;
-        q = lacunarity * (FBM_TURN * q) + FBM_SHIFT;
-        to_octave = lacunarity * (FBM_TURN * to_octave);
+        q = lacunarity * (turn * q) + shift;
+        to_octave = lacunarity * (turn * to_octave);
     }
     return sum;
 }
@@ -37,14 +57,15 @@ fn fbm2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32) -> vec3f 
 /// gradients|².
 ///
 /// Smooth valleys and rough heights from the same sum. The second and third component are the sum of the damped
-/// octaves' gradients, which is the gradient only as far as the damping itself is constant.
+/// octaves' gradients, which is the gradient only as far as the damping itself is constant; <fractal/damped.wgsl> has
+/// the exact one.
 fn fbm2_damped(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, damping: f32) -> vec3f {
     var sum = vec3f(0.0);
     var slope = vec2f(0.0);
     var strength = 1.0;
     var q = p;
     var to_octave = mat2x2f(vec2f(1.0, 0.0), vec2f(0.0, 1.0));
-    for (var i = 0; i < FBM_MAX_OCTAVES; i++) {
+    for (var i = 0; i < FRACTAL_MAX_OCTAVES; i++) {
         let presence = clamp(octaves - f32(i), 0.0, 1.0);
         if presence <= 0.0 {
             break;
@@ -54,19 +75,18 @@ fn fbm2_damped(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, da
         slope += rise.yz;
         sum += rise / (1.0 + damping * dot(slope, slope));
         strength *= gain;
-        q = lacunarity * (FBM_TURN * q) + FBM_SHIFT;
-        to_octave = lacunarity * (FBM_TURN * to_octave);
+        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_SHIFT;
+        to_octave = lacunarity * (FRACTAL_TURN * to_octave);
     }
     return sum;
 }
 
 /// The largest value that `fbm2` and `fbm2_damped` can reach: 1 + gain + gain² + …, the last octave in part.
 fn fbm_bound(octaves: f32, gain: f32) -> f32 {
-    var sum = 0.0;
-    var strength = 1.0;
-    for (var i = 0; i < FBM_MAX_OCTAVES; i++) {
-        sum += strength * clamp(octaves - f32(i), 0.0, 1.0);
-        strength *= gain;
-    }
-    return sum;
+    return octave_sum(octaves, gain);
+}
+
+/// A slope that `fbm2` nowhere exceeds, where the noise itself nowhere exceeds `noise_slope`: its Lipschitz bound.
+fn fbm_slope_bound(octaves: f32, gain: f32, lacunarity: f32, noise_slope: f32) -> f32 {
+    return noise_slope * octave_sum(octaves, gain * lacunarity);
 }

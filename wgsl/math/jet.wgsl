@@ -10,38 +10,45 @@ struct Jet2 {
     hessian: vec3f,
 }
 
-/// A constant: no derivatives.
-fn jet2_constant(value: f32) -> Jet2 {
-    return Jet2(value, vec2f(0.0), vec3f(0.0));
+/// `a` + `b`.
+fn jet2_sum(a: Jet2, b: Jet2) -> Jet2 {
+    return Jet2(a.value + b.value, a.gradient + b.gradient, a.hessian + b.hessian);
 }
 
-/// `scale` f + `shift`.
-fn jet2_affine(f: Jet2, scale: f32, shift: f32) -> Jet2 {
-    return Jet2(scale * f.value + shift, scale * f.gradient, scale * f.hessian);
+/// `factor` · `a`.
+fn jet2_scaled(a: Jet2, factor: f32) -> Jet2 {
+    return Jet2(factor * a.value, factor * a.gradient, factor * a.hessian);
 }
 
-/// f + g.
-fn jet2_add(f: Jet2, g: Jet2) -> Jet2 {
-    return Jet2(f.value + g.value, f.gradient + g.gradient, f.hessian + g.hessian);
+/// `a` · `b`.
+fn jet2_product(a: Jet2, b: Jet2) -> Jet2 {
+    let cross = a.gradient.xxy * b.gradient.xyy + b.gradient.xxy * a.gradient.xyy;
+    return Jet2(
+        a.value * b.value,
+        a.value * b.gradient + b.value * a.gradient,
+        a.value * b.hessian + b.value * a.hessian + cross,
+    );
 }
 
-/// f · g (Leibniz).
-fn jet2_multiply(f: Jet2, g: Jet2) -> Jet2 {
-    let a = f.gradient;
-    let b = g.gradient;
-    let mixed = vec3f(2.0 * a.x * b.x, a.x * b.y + a.y * b.x, 2.0 * a.y * b.y);
-    return Jet2(f.value * g.value, f.value * b + g.value * a, f.value * g.hessian + g.value * f.hessian + mixed);
+/// f(`a`) where f has the value `f0`, the slope `f1` and the second derivative `f2` at a.value.
+fn jet2_through(a: Jet2, f0: f32, f1: f32, f2: f32) -> Jet2 {
+    return Jet2(f0, f1 * a.gradient, f1 * a.hessian + f2 * a.gradient.xxy * a.gradient.xyy);
 }
 
-/// h(f) for a function h of one variable, given as (h, h', h'') at the value of f (chain rule).
-fn jet2_apply(f: Jet2, h: vec3f) -> Jet2 {
-    let a = f.gradient;
-    return Jet2(h.x, h.y * a, h.y * f.hessian + h.z * vec3f(a.x * a.x, a.x * a.y, a.y * a.y));
+/// A jet taken at q = `map` · p + constant, as a function of p.
+fn jet2_carried(a: Jet2, map: mat2x2f) -> Jet2 {
+    let turned_x = vec2f(dot(a.hessian.xy, map[0]), dot(a.hessian.yz, map[0])); // Hessian times the first column
+    let turned_y = vec2f(dot(a.hessian.xy, map[1]), dot(a.hessian.yz, map[1]));
+    return Jet2(
+        a.value,
+        a.gradient * map, // a row vector times M is Mᵀ times the vector
+        vec3f(dot(map[0], turned_x), dot(map[0], turned_y), dot(map[1], turned_y)),
+    );
 }
 
 /// f(x, y), where f is known by its derivatives in x and y, and both are functions of the plane themselves (chain
 /// rule).
-fn jet2_compose(f: Jet2, x: Jet2, y: Jet2) -> Jet2 {
+fn jet2_composed(f: Jet2, x: Jet2, y: Jet2) -> Jet2 {
     let a = x.gradient;
     let b = y.gradient;
     let hessian = f.gradient.x * x.hessian + f.gradient.y * y.hessian
@@ -51,9 +58,10 @@ fn jet2_compose(f: Jet2, x: Jet2, y: Jet2) -> Jet2 {
     return Jet2(f.value, f.gradient.x * a + f.gradient.y * b, hessian);
 }
 
-/// `smoothstep(low, high, f)`; `low` < `high`.
+/// `smoothstep(low, high, f)`, for `low` < `high`.
 fn jet2_smoothstep(low: f32, high: f32, f: Jet2) -> Jet2 {
     let width = high - low;
     let t = clamp((f.value - low) / width, 0.0, 1.0);
-    return jet2_apply(f, vec3f(t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / width, select(0.0, (6.0 - 12.0 * t) / (width * width), t > 0.0 && t < 1.0)));
+    let curvature = select(0.0, (6.0 - 12.0 * t) / (width * width), t > 0.0 && t < 1.0);
+    return jet2_through(f, t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / width, curvature);
 }

@@ -1,7 +1,15 @@
 // Gradient noise (Perlin 2002, "Improving Noise"), scaled to -1 .. 1.
 
 #include <math/fade.wgsl>
+#include <math/jet.wgsl>
 #include <noise/pcg.wgsl>
+
+/// `perlin_noise2` is nowhere larger: four unit gradients that point at the middle of their cell.
+const PERLIN_NOISE2_RANGE: f32 = 1.0;
+/// `perlin_noise2` is nowhere steeper: 2.92615 in the middle of a cell, over all unit gradients.
+const PERLIN_NOISE2_SLOPE: f32 = 2.9262;
+/// `perlin_noise2` is nowhere more curved, in no direction: 13.06075 at (.3555, .6445) of a cell, along its diagonal.
+const PERLIN_NOISE2_CURVATURE: f32 = 13.061;
 
 /// Gradient noise in the plane, -1 .. 1, zero on the lattice. Standard deviation 0.304.
 fn perlin_noise2(p: vec2f, seed: u32) -> f32 {
@@ -34,6 +42,42 @@ fn perlin_noise2_grad(p: vec2f, seed: u32) -> vec3f {
     let carried = mix(mix(g00, g10, w.x), mix(g01, g11, w.x), w.y);
     let blended = dw * vec2f(mix(v10 - v00, v11 - v01, w.y), high - low);
     return 1.4142 * vec3f(mix(low, high, w.y), carried + blended);
+}
+
+/// As `perlin_noise2_grad`, with the second derivatives; these are continuous too.
+fn perlin_noise2_jet(p: vec2f, seed: u32) -> Jet2 {
+    let lattice = floor(p);
+    let t = p - lattice;
+    let cell = bitcast<vec2u>(vec2i(lattice));
+    let key = pcg(seed);
+    let row0 = pcg(cell.y + key);
+    let row1 = pcg(cell.y + 1u + key);
+    let g00 = perlin_direction2(pcg(cell.x + row0));
+    let g10 = perlin_direction2(pcg(cell.x + 1u + row0));
+    let g01 = perlin_direction2(pcg(cell.x + row1));
+    let g11 = perlin_direction2(pcg(cell.x + 1u + row1));
+    let v00 = dot(g00, t);
+    let v10 = dot(g10, t - vec2f(1.0, 0.0));
+    let v01 = dot(g01, t - vec2f(0.0, 1.0));
+    let v11 = dot(g11, t - vec2f(1.0, 1.0));
+    let w = quintic_fade2(t);
+    let dw = quintic_fade2_slope(t);
+    let ddw = quintic_fade2_curvature(t);
+    let low = mix(v00, v10, w.x);
+    let high = mix(v01, v11, w.x);
+    let rise = vec2f(mix(v10 - v00, v11 - v01, w.y), high - low);
+    let twist = (v11 - v01) - (v10 - v00);
+    let g0 = mix(g00, g10, w.x);
+    let g1 = mix(g01, g11, w.x);
+    // How the blended lattice gradient changes along x and along y, before the fade's own slope.
+    let g_x = mix(g10 - g00, g11 - g01, w.y);
+    let g_y = g1 - g0;
+    let hessian = vec3f(
+        2.0 * dw.x * g_x.x + ddw.x * rise.x,
+        dw.x * g_x.y + dw.y * g_y.x + dw.x * dw.y * twist,
+        2.0 * dw.y * g_y.y + ddw.y * rise.y,
+    );
+    return Jet2(1.4142 * mix(low, high, w.y), 1.4142 * (mix(g0, g1, w.y) + dw * rise), 1.4142 * hessian);
 }
 
 /// Gradient noise in space, -1 .. 1, zero on the lattice. Standard deviation 0.26.

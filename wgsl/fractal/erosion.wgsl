@@ -1,0 +1,180 @@
+// What running water does to a slope: gullies that follow it, smaller ones running into them, crisp ridges between.
+//
+// After the idea of the erosion filter (runevision 2024-26): stripes aligned with the slope, blended between jittered
+// cells; each generation follows the slope that those before have left. It needs the land at the one point only, so it
+// is a pure function of it. With the land's second derivatives its own gradient is exact.
+
+#include <math/jet.wgsl>
+#include <noise/pcg.wgsl>
+
+/// How land is eroded. Lengths in the units of the land and its plane, the same for both.
+struct Erosion {
+    /// Width of the widest gullies, from crest to crest, > 0.
+    width: f32,
+    /// The most that the land is raised or lowered.
+    strength: f32,
+    /// Generations of gullies, 0 .. 8; fractional ones fade.
+    octaves: f32,
+    /// How deep a generation is compared with the one before, 0 < gain < 1.
+    gain: f32,
+    /// How much finer a generation is than the one before, > 1.
+    lacunarity: f32,
+    /// The slope (rise over run) that steers the gullies in place of the land's own, which gives but the direction:
+    /// the gentler, the more do tributaries leave the fall line. About 1 .. 4 times strength / width.
+    assumed_slope: f32,
+    /// Land of this slope is eroded half as much as steep land; level land is not.
+    level_slope: f32,
+    /// How round the crests between gullies are: .03 crisp, 1 waves.
+    crest_roundness: f32,
+    /// How round the bottoms of gullies are: .03 a cut, 1 waves.
+    gully_roundness: f32,
+    /// Height of the valley floors, where gullies end.
+    bottom: f32,
+    /// Height of the peaks, where gullies begin; above `bottom`.
+    top: f32,
+}
+
+const EROSION_MAX_OCTAVES: i32 = 8;
+const EROSION_JITTER: f32 = 0.8; // how far over its cell a stripe's middle may lie
+const EROSION_REACH2: f32 = 2.56; // squared reach of a cell's stripes: 1.6 cells, so that 4x4 cells are all that count
+const EROSION_FLOOR: f32 = 0.35; // coherence, in parts of the full one, below which stripes that cancel stay weak
+const EROSION_TAU: f32 = 6.2831853;
+
+/// Two waves a quarter apart, each with its gradient: (value, d/dx, d/dy), |value| <= 1.
+struct ErosionWave {
+    /// 1 on crests, -1 in gullies.
+    even: vec3f,
+    /// A quarter of a wave further.
+    odd: vec3f,
+}
+
+/// Change of the height of `land` at `p` and its exact gradient: (change, d/dx, d/dy), |change| <= how.strength.
+///
+/// `land`: height, gradient and second derivatives there. The smoother it is on the scale of `how.width`, the better:
+/// where the fall line turns about within less, gullies tear; erode few octaves and add the fine ones after.
+/// Near `how.top` the land is raised by up to the strength, near `how.bottom` lowered, and so it is on level ground, less
+/// in between: toward there the gullies fade. Crests stay where they are whatever the number of octaves.
+/// Its slope has no useful bound (the fall line may turn at once where the land is level): a march that must not miss
+/// takes the land's bound with how.strength added to its height, or falls back to a tested step. Sixteen cells an
+/// octave, of which about half count.
+fn erosion2(p: vec2f, land: Jet2, how: Erosion, seed: u32) -> vec3f {
+    let bend = mat2x2f(land.hessian.xy, land.hessian.yz);
+
+    // The fall line: at most 1 long, shorter on level land; column i of its derivatives is the one along axis i.
+    let shorten = inverseSqrt(dot(land.gradient, land.gradient) + how.level_slope * how.level_slope);
+    let fall = shorten * land.gradient;
+    let along = fall * bend; // both columns' part along the fall line
+    let fall_turn = shorten * mat2x2f(bend[0] - along.x * fall, bend[1] - along.y * fall);
+    var slope = how.assumed_slope * fall;
+    var slope_turn = how.assumed_slope * fall_turn;
+
+    // What the land is drawn to where no gullies are: up at the top, down at the bottom, nothing half-way.
+    let rise = 1.0 / (how.top - how.bottom);
+    let h = clamp((land.value - how.bottom) * rise, 0.0, 1.0);
+    var rest = vec3f(2.0 * h * h * (3.0 - 2.0 * h) - 1.0, 12.0 * h * (1.0 - h) * rise * land.gradient);
+    // Where gullies are: on slopes, away from top and bottom.
+    let steep = vec3f(dot(fall, fall), 2.0 * (fall * fall_turn));
+    let rest2 = rest.x * rest.x;
+    let between = vec3f(1.0 - rest2 * rest2, -4.0 * rest2 * rest.x * rest.yz);
+    var hold = vec3f(steep.x * between.x, steep.x * between.yz + between.x * steep.yz);
+
+    var change = vec3f(0.0);
+    var cell = how.width;
+    var share = 1.0 - how.gain; // of this generation; all together 1
+    var left = 1.0; // for the generations still to come
+    let blunt = 0.01 * how.assumed_slope * how.assumed_slope + 1e-12;
+    for (var i = 0; i < EROSION_MAX_OCTAVES; i++) {
+        let presence = clamp(how.octaves - f32(i), 0.0, 1.0);
+        if presence <= 0.0 {
+            break;
+        }
+        // Stripes across the slope: the wave vector, per cell, and its derivatives, per unit of p.
+        let inverse = inverseSqrt(dot(slope, slope) + blunt);
+        let down = inverse * slope;
+        let down_along = down * slope_turn;
+        let down_x = inverse * (slope_turn[0] - down_along.x * down);
+        let down_y = inverse * (slope_turn[1] - down_along.y * down);
+        let wave = EROSION_TAU * vec2f(-down.y, down.x);
+        let wave_turn = EROSION_TAU * mat2x2f(vec2f(-down_x.y, down_x.x), vec2f(-down_y.y, down_y.x));
+        let stripes = erosion_wave(p / cell, wave, cell * wave_turn, seed + u32(i));
+        let even = vec3f(stripes.even.x, stripes.even.yz / cell);
+        let odd = vec3f(stripes.odd.x, stripes.odd.yz / cell);
+
+        // This generation, and back to `rest` where gullies do not hold.
+        let form = erosion_profile(even.x, how.crest_roundness, how.gully_roundness);
+        let cut = vec3f(form.x, form.y * even.yz) - rest;
+        let part = presence * hold;
+        rest += vec3f(part.x * cut.x, part.x * cut.yz + part.yz * cut.x);
+        change += share * rest;
+        left -= share;
+
+        // The slope that the rounded stripes leave steers the next generation.
+        let tilt = -how.strength * share * presence / cell;
+        let lean = vec3f(hold.x * odd.x, hold.x * odd.yz + hold.yz * odd.x);
+        slope += tilt * lean.x * wave;
+        slope_turn += tilt * (lean.x * wave_turn + mat2x2f(lean.y * wave, lean.z * wave));
+
+        // Finer gullies leave the crests and the bottoms of the coarser ones as they are.
+        let even2 = even.x * even.x;
+        let flank = vec3f(1.0 - even2 * even2, -4.0 * even2 * even.x * even.yz);
+        hold = vec3f(hold.x * flank.x, hold.x * flank.yz + flank.x * hold.yz);
+        cell /= how.lacunarity;
+        share *= how.gain;
+    }
+    return how.strength * (change + left * rest);
+}
+
+/// Stripes at `q`, in cells: waves of the given wave vector through the middles of the cells around, blended.
+///
+/// `turn`: the wave vector's derivatives, a column an axis of `q`. Sixteen cells.
+fn erosion_wave(q: vec2f, wave: vec2f, turn: mat2x2f, seed: u32) -> ErosionWave {
+    let lattice = floor(q);
+    let t = q - lattice;
+    let corner = vec2i(lattice);
+    let key = pcg(seed);
+    var even = vec3f(0.0);
+    var odd = vec3f(0.0);
+    var all = vec3f(0.0);
+    for (var j = -1; j <= 2; j++) {
+        for (var i = -1; i <= 2; i++) {
+            let bits = pcg2d(bitcast<vec2u>(corner + vec2i(i, j)) + key);
+            let offset = t - vec2f(f32(i), f32(j)) - EROSION_JITTER * (unit_float2(bits) - 0.5);
+            let near = 1.0 - dot(offset, offset) / EROSION_REACH2;
+            if near <= 0.0 {
+                continue;
+            }
+            // Near to exp(-2 d²) - 0.01111, but smooth where it ends.
+            let near3 = near * near * near;
+            let weight = near3 * near;
+            let fading = (-8.0 / EROSION_REACH2) * near3 * offset;
+            let phase = dot(wave, offset);
+            let c = cos(phase);
+            let s = sin(phase);
+            let advance = weight * (wave + offset * turn); // the wave vector turns while q moves
+            even += vec3f(weight * c, c * fading - s * advance);
+            odd += vec3f(weight * s, s * fading + c * advance);
+            all += vec3f(weight, fading);
+        }
+    }
+    // Waves of neighbouring cells cancel here and there; make up for most of it, but let a gully end where they do.
+    let floor2 = EROSION_FLOOR * EROSION_FLOOR;
+    let size = sqrt(even.x * even.x + odd.x * odd.x + floor2 * all.x * all.x);
+    let size_slope = (even.x * even.yz + odd.x * odd.yz + floor2 * all.x * all.yz) / size;
+    let scale = sqrt(1.0 + floor2) / size;
+    let log_slope = size_slope / size;
+    return ErosionWave(
+        scale * vec3f(even.x, even.yz - even.x * log_slope),
+        scale * vec3f(odd.x, odd.yz - odd.x * log_slope),
+    );
+}
+
+/// The height of a cosine wave of height `x`, its crests and its bottoms sharpened, and the slope of that: -1 .. 1.
+fn erosion_profile(x: f32, crest_roundness: f32, gully_roundness: f32) -> vec2f {
+    let r = max(vec2f(crest_roundness, gully_roundness), vec2f(0.01));
+    // A parabola's square root is a corner: how far below the crest and above the bottom, each 0 .. 1, rounded.
+    let root = sqrt(max(vec2f(0.5 - 0.5 * x, 0.5 + 0.5 * x), vec2f(0.0)) + r * r);
+    let range = sqrt(1.0 + r * r) - r;
+    let height = (root - r) / range;
+    let slope = 0.25 / (root * range);
+    return vec2f(height.y - height.x, slope.x + slope.y);
+}
