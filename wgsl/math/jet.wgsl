@@ -10,6 +10,16 @@ struct Jet2 {
     hessian: vec3f,
 }
 
+/// A constant: no derivatives.
+fn jet2_constant(value: f32) -> Jet2 {
+    return Jet2(value, vec2f(0.0), vec3f(0.0));
+}
+
+/// A jet taken at `scale` · p, as a function of p.
+fn jet2_per(a: Jet2, scale: f32) -> Jet2 {
+    return Jet2(a.value, scale * a.gradient, (scale * scale) * a.hessian);
+}
+
 /// `a` + `b`.
 fn jet2_sum(a: Jet2, b: Jet2) -> Jet2 {
     return Jet2(a.value + b.value, a.gradient + b.gradient, a.hessian + b.hessian);

@@ -2,8 +2,9 @@
 
 #include <quality.wgsl>
 
-/// The forms of the land: rolling hills, ridged mountains, a sea of dunes, or terraced canyons.
-#option terrain.relief = ridged { fbm, ridged, dunes, terraces }
+/// The forms of the land: rolling hills, mounds, ridged mountains, ranges worn in their valleys, hills smooth where they
+/// are steep, a sea of dunes, or terraced canyons.
+#option terrain.relief = ridged { fbm, billow, ridged, hybrid, damped, dunes, terraces }
 /// Which land of its kind: another seed, another land.
 #param terrain.seed: u32 = 1
 /// Width of the largest forms.

@@ -1,10 +1,35 @@
-// Mountains and hills: where the land is high it is rugged, and water has cut gullies into its slopes.
+// Relief made of noise: rolling, ridged or worn; from one map or two; bent, cut by water, and rough where it is steep.
+//
+// What steers the water and the roughness is a smoother land of the same forms: fewer octaves, known with its second
+// derivatives. So the slope of the whole is analytic, and gullies do not tear where a sharp crest turns about.
 
 #include <fractal/fbm.wgsl> as relief with noise2 = terrain_noise
-#include <fractal/gullies.wgsl>
-#include <fractal/ridged.wgsl> as range with noise2 = terrain_noise
+#include <fractal/jets.wgsl> as smooth with noise2 = terrain_noise_jet
+#include <math/jet.wgsl>
 #include <terrain/basis.wgsl>
 #include <terrain/height.wgsl>
+#if terrain.relief == ridged
+#include <fractal/ridged.wgsl> as ranges with noise2 = terrain_noise
+#elif terrain.relief == hybrid
+#include <fractal/hybrid.wgsl> as worn with noise2 = terrain_noise
+#elif terrain.relief == billow
+#include <fractal/billow.wgsl> as mounds with noise2 = terrain_noise
+#elif terrain.relief == damped
+#include <fractal/damped.wgsl> as valleys with noise2 = terrain_noise_jet
+#endif
+#if terrain.eroded
+#include <fractal/erosion.wgsl>
+#endif
+
+/// Whether a second, wider map says where the land is rugged: plains and ranges instead of the same land everywhere.
+#option terrain.dual = false
+/// Whether the map is bent before it is read: folded, flowing forms.
+#option terrain.distorted = false
+/// Whether water has cut gullies into the slopes.
+#option terrain.eroded = true
+/// Whether the octaves past `terrain.forms` are roughness, weak on level ground; otherwise they are octaves as the
+/// first are.
+#option terrain.rough = true
 
 /// Height of the highest peaks above the valley floors.
 #param terrain.peak_height: f32 = 2400.0, range 0 .. 9000, unit m
@@ -14,65 +39,166 @@
 #param terrain.lacunarity: f32 = 2.02, range 1.5 .. 3
 /// How sharp the ridges are: 0 a knife's edge, 0.3 worn hills.
 #param terrain.roundness: f32 = 0.08, range 0 .. 1
-/// How much of the land is valley: -1 none, 1 nearly all.
+/// Octaves that make the forms, where the finer ones are roughness.
+#param terrain.forms: f32 = 4.0, range 1 .. 14
+
+/// Width of the forms of the wide map.
+#param terrain.region: f32 = 20000.0, range 10 .. 1000000, log, unit m
+/// How high the rugged regions are raised above the plains.
+#param terrain.uplift: f32 = 300.0, range 0 .. 9000, unit m
+/// How much of the land is plain: -1 none, 1 nearly all.
 #param terrain.valleys: f32 = 0.0, range -1 .. 1
+/// How much of the relief is left on the plains.
+#param terrain.lowland: f32 = 0.08, range 0 .. 1
+
+/// How far the map is bent, as a part of the width of its largest forms.
+#param terrain.distortion: f32 = 0.25, range 0 .. 2
+
 /// How deep water has cut into the slopes.
 #param terrain.gully_depth: f32 = 220.0, range 0 .. 2000, unit m
 /// How wide the widest gullies are.
 #param terrain.gully_width: f32 = 900.0, range 10 .. 20000, unit m
-/// Height of the roughness on top of it all: boulders, humps and hollows.
+
+/// Height of the roughness: boulders, humps and hollows.
 #param terrain.detail: f32 = 110.0, range 0 .. 500, unit m
 
-const DETAIL_OCTAVE: f32 = 4.0; // the octave at which roughness begins: a sixteenth of the scale
-
-/// Height (m) at `p` (m) of the first `octaves` octaves, which may be fractional; for 0 and less only the lie of
-/// the land.
-///
-/// Costly: up to `terrain.octaves` + 4 noises and five generations of gullies.
-fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
-    let q = p / terrain.scale;
-    // Where the mountains are: a map of its own, much coarser than they.
-    let region = terrain_noise(0.31 * q + vec2f(3.7, 9.2), terrain.seed + 101u);
-    let rugged = smoothstep(-0.45, 0.5, region.x - terrain.valleys * 0.5);
-
-    let coarse = min(octaves, DETAIL_OCTAVE);
-#if terrain.relief == fbm
-    let noise = relief_fbm2_damped(q, terrain.seed, coarse, terrain.gain, terrain.lacunarity, 0.25);
-    let forms = vec3f(0.5, 0.0, 0.0) + 0.5 * noise;
-    let rounded = forms;
+/// Forms of the relief at `q` (in widths of the largest ones): (0 .. about 1, slope per width).
+fn mountains_forms(q: vec2f, octaves: f32) -> vec3f {
+#if terrain.relief == ridged
+    return ranges_ridged2(q, terrain.seed, octaves, terrain.gain, terrain.lacunarity, 2.0, terrain.roundness);
+#elif terrain.relief == hybrid
+    return 0.4 * worn_hybrid2(q, terrain.seed, octaves, terrain.gain, terrain.lacunarity, 0.7);
+#elif terrain.relief == billow
+    return mounds_billow2(q, terrain.seed, octaves, terrain.gain, terrain.lacunarity, terrain.roundness);
+#elif terrain.relief == damped
+    let noise = valleys_damped2(q, terrain.seed, octaves, terrain.gain, terrain.lacunarity, 0.25);
+    return vec3f(0.5 + 0.5 * noise.x, 0.5 * noise.yz);
 #else
-    let roundness = mix(max(0.2, terrain.roundness), terrain.roundness, rugged); // no sharp crests in the lowlands
-    let forms = range_ridged2(q, terrain.seed, coarse, terrain.gain, terrain.lacunarity, 2.0, roundness);
-    // Water follows the broad slopes: those of the sharp crests turn about within a few metres, and would tear
-    // its gullies.
-    let rounded = range_ridged2(q, terrain.seed, min(coarse, 3.0), terrain.gain, terrain.lacunarity, 2.0, 0.25);
+    let noise = relief_fbm2(q, terrain.seed, octaves, terrain.gain, terrain.lacunarity);
+    return vec3f(0.5 + 0.5 * noise.x, 0.5 * noise.yz);
 #endif
-    let swell = terrain.peak_height * (0.08 + 0.80 * rugged);
-    var land = vec3f(swell, vec2f(swell / terrain.scale)) * forms;
-    land.x += 0.12 * terrain.peak_height * rugged;
+}
 
-    // Water.
-    let gully_octaves = min(5.0, octaves - log2(terrain.scale / terrain.gully_width) + 1.0);
-    let catchment = smoothstep(0.10, 0.40, land.x / max(terrain.peak_height, 1.0)); // low hills shed little water
-    let downhill = 1.7 * swell / terrain.scale * rounded.yz; // rounding took about that much of the slope
-    let depth = terrain.gully_depth * catchment;
-    let cut = gullies2(p, downhill, terrain.gully_width, depth, 0.55, gully_octaves, 0.43, terrain.seed + 211u);
-    land += cut;
+/// What water and roughness take the forms for: their first octaves, well rounded.
+fn mountains_guide(q: vec2f) -> Jet2 {
+#if terrain.relief == ridged
+    return smooth_ridged2_jet(q, terrain.seed, 3.0, terrain.gain, terrain.lacunarity, 2.0, 0.25);
+#else
+    return jet2_sum(jet2_constant(0.5), jet2_scaled(smooth_fbm2_jet(q, terrain.seed, 3.0, terrain.gain, terrain.lacunarity), 0.5));
+#endif
+}
 
-    // Roughness, most where it is steep.
-    let steep = smoothstep(0.1, 1.0, length(land.yz));
-    let fine = relief_fbm2(16.0 * q, terrain.seed + 307u, octaves - DETAIL_OCTAVE, 0.58, terrain.lacunarity);
-    land.x += terrain.detail * (0.08 + 0.92 * steep) * fine.x;
+/// The land (m) and its slope at `p` (m) of the first `octaves` octaves, which may be fractional; for 0 and less only
+/// the lie of the land.
+///
+/// Costly: up to `terrain.octaves` + 8 noises and five generations of gullies.
+fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
+    var q = p / terrain.scale;
+#if terrain.distorted
+    let bend = terrain.distortion;
+    let to_east = smooth_fbm2_jet(q + vec2f(5.2, 1.3), terrain.seed + 401u, 3.0, 0.5, 2.0);
+    let to_south = smooth_fbm2_jet(q + vec2f(8.1, 7.4), terrain.seed + 409u, 3.0, 0.5, 2.0);
+    let east = jet2_sum(Jet2(q.x, vec2f(1.0, 0.0), vec3f(0.0)), jet2_scaled(to_east, bend));
+    let south = jet2_sum(Jet2(q.y, vec2f(0.0, 1.0), vec3f(0.0)), jet2_scaled(to_south, bend));
+    q = vec2f(east.value, south.value);
+#endif
+#if terrain.rough
+    let form_octaves = min(octaves, terrain.forms);
+#else
+    let form_octaves = octaves;
+#endif
+    var forms = mountains_forms(q, form_octaves);
+    var lie = mountains_guide(q);
+#if terrain.distorted
+    forms = vec3f(forms.x, forms.y * east.gradient + forms.z * south.gradient);
+    lie = jet2_composed(lie, east, south);
+#endif
+
+    // From here on in metres.
+    let per_metre = 1.0 / terrain.scale;
+    forms = terrain.peak_height * vec3f(forms.x, per_metre * forms.yz);
+    lie = jet2_scaled(jet2_per(lie, per_metre), terrain.peak_height);
+    var land = forms;
+#if terrain.dual
+    let rugged = mountains_rugged(p);
+    let share = jet2_sum(jet2_constant(terrain.lowland), jet2_scaled(rugged, 1.0 - terrain.lowland));
+    land = vec3f(share.value * land.x, share.value * land.yz + land.x * share.gradient)
+        + terrain.uplift * vec3f(rugged.value, rugged.gradient);
+    lie = jet2_sum(jet2_product(share, lie), jet2_scaled(rugged, terrain.uplift));
+#endif
+
+#if terrain.eroded
+    land += mountains_erosion(p, lie, octaves);
+#endif
+#if terrain.rough
+    // Most where it is steep: by the square of the slope, which has no kink on level ground.
+    let g = lie.gradient;
+    let steep = clamp(dot(g, g), 0.0, 1.0);
+    let steepening = 2.0 * vec2f(dot(lie.hessian.xy, g), dot(lie.hessian.yz, g));
+    let weight = 0.08 + 0.92 * steep * (2.0 - steep);
+    let weight_slope = 1.84 * (1.0 - steep) * steepening;
+    let finer = exp2(terrain.forms) * per_metre;
+    let fine = relief_fbm2(finer * p, terrain.seed + 307u, octaves - terrain.forms, 0.58, terrain.lacunarity);
+    land += terrain.detail * vec3f(weight * fine.x, weight * finer * fine.yz + fine.x * weight_slope);
+#endif
     return land;
 }
 
+#if terrain.dual
+/// Where the land is rugged, by a wide map of its own: 0 plain .. 1 range.
+fn mountains_rugged(p: vec2f) -> Jet2 {
+    let per_metre = 1.0 / terrain.region;
+    let wide = smooth_fbm2_jet(per_metre * p + vec2f(3.7, 9.2), terrain.seed + 101u, 2.0, 0.4, 2.0);
+    let middle = 0.5 * terrain.valleys;
+    return jet2_smoothstep(middle - 0.45, middle + 0.5, jet2_per(wide, per_metre));
+}
+#endif
+
+#if terrain.eroded
+/// What water has done to the land `lie` at `p`: (change in m, slope).
+fn mountains_erosion(p: vec2f, lie: Jet2, octaves: f32) -> vec3f {
+    let generations = min(5.0, octaves - log2(terrain.scale / terrain.gully_width) + 1.0);
+    let how = Erosion(
+        terrain.gully_width,
+        0.5 * terrain.gully_depth,
+        generations,
+        0.5, // gain
+        2.0, // lacunarity
+        1.5 * terrain.gully_depth / terrain.gully_width, // the slope that steers
+        0.25, // half as deep on such a slope
+        0.12, // crests
+        0.25, // bottoms
+        -0.1 * terrain.peak_height,
+        1.1 * terrain.peak_height,
+    );
+    return erosion2(p, lie, how, terrain.seed + 211u);
+}
+#endif
+
 /// A height (m) that the mountains nowhere exceed.
 fn mountains_ceiling() -> f32 {
-    let rest = terrain.gain / (1.0 - terrain.gain);
-#if terrain.relief == fbm
-    let forms = 1.0 + 0.5 * rest;
+#if terrain.rough
+    let octaves = terrain.forms;
+    let rough = terrain.detail * relief_fbm_bound(16.0, 0.58);
 #else
-    let forms = 1.0 + 0.394 * rest;
+    let octaves = terrain.octaves;
+    let rough = 0.0;
 #endif
-    return terrain.peak_height * (0.12 + 0.88 * forms) + terrain.gully_depth + 2.4 * terrain.detail;
+#if terrain.relief == ridged
+    let forms = ranges_ridged_bound(octaves, terrain.gain).y;
+#elif terrain.relief == hybrid
+    let forms = 0.4 * worn_hybrid_bound(octaves, terrain.gain, 0.7).y;
+#elif terrain.relief == billow
+    let forms = mounds_billow_bound(octaves, terrain.gain).y;
+#else
+    let forms = 0.5 + 0.5 * relief_fbm_bound(octaves, terrain.gain);
+#endif
+    var ceiling = terrain.peak_height * forms + rough;
+#if terrain.dual
+    ceiling += terrain.uplift;
+#endif
+#if terrain.eroded
+    ceiling += 0.5 * terrain.gully_depth;
+#endif
+    return ceiling;
 }

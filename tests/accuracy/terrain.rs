@@ -1,0 +1,94 @@
+//! The land: its slope is that of its height, in every relief, and its ceiling is one.
+
+use orogen::Preset;
+use truth::points::Random;
+
+use crate::harness::{Report, Scope, values};
+
+/// Reliefs by the settings that make them.
+const RELIEFS: [(&str, &[&str]); 12] = [
+    ("fBm", &["terrain.relief=fbm", "terrain.eroded=false", "terrain.rough=false"]),
+    ("fBm of value noise", &["terrain.relief=fbm", "terrain.basis=value"]),
+    ("fBm of simplex noise", &["terrain.relief=fbm", "terrain.basis=simplex"]),
+    ("billow", &["terrain.relief=billow"]),
+    ("ridged", &["terrain.relief=ridged"]),
+    ("ridged, not eroded", &["terrain.relief=ridged", "terrain.eroded=false"]),
+    ("hybrid", &["terrain.relief=hybrid"]),
+    ("damped", &["terrain.relief=damped"]),
+    ("dual", &["terrain.dual=true"]),
+    ("distorted", &["terrain.distorted=true"]),
+    ("dunes", &["terrain.relief=dunes"]),
+    ("terraces", &["terrain.relief=terraces"]),
+];
+
+/// The preset of a relief; its finest octave is tens of metres wide, so that differences over metres tell its slope.
+fn land(settings: &[&str]) -> Preset {
+    let mut preset = Preset::of_module("terrain/height.wgsl");
+    for setting in [&["terrain.octaves=7"], settings].concat() {
+        preset.set(setting).unwrap();
+    }
+    preset
+}
+
+#[test]
+fn the_land_s_slope_is_that_of_its_height() {
+    const STEP: f32 = 3.0;
+    let mut report = Report::new("Terrain", "the_land_s_slope_is_that_of_its_height");
+    let points: Vec<[f32; 2]> = Random::new(31).points(20_000, 5_000.0);
+    // Fourth-order differences on a ring of eight neighbours.
+    let fragment = format!(
+        "#include <terrain/height.wgsl>
+         fn slope_by_differences(p: vec2f) -> vec2f {{
+             var sum = vec2f(0.0);
+             for (var i = 0; i < 8; i++) {{
+                 let axis = select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), i < 4);
+                 let far = (i & 1) == 1;
+                 let side = select(1.0, -1.0, (i & 2) == 2);
+                 let offset = side * select({STEP:?}, 2.0 * {STEP:?}, far);
+                 sum += axis * side * select(8.0, -1.0, far) * terrain_height(p + offset * axis);
+             }}
+             return sum / (12.0 * {STEP:?});
+         }}"
+    );
+    for (name, settings) in RELIEFS {
+        let preset = land(settings);
+        let scope = Scope { fragment: &fragment, preset: Some(&preset), ..Scope::default() };
+        let rows =
+            values("vec4f(terrain_height_grad(p).yz, slope_by_differences(p))", &scope, ["x", "y"], &points);
+        let mean = rows.iter().map(|row| row[0].hypot(row[1])).sum::<f64>() / rows.len() as f64;
+        let mut errors: Vec<f64> =
+            rows.iter().map(|row| (row[0] - row[2]).hypot(row[1] - row[3]) / mean).collect();
+        errors.sort_by(f64::total_cmp);
+        let median = errors[errors.len() / 2];
+        let p95 = errors[errors.len() * 95 / 100];
+        report.at_most(
+            &format!("{name}: slope against differences over {STEP} m, relative to the mean slope, median"),
+            median,
+            1e-3,
+        );
+        report.told(&format!("{name}: the same, 95 %"), p95);
+    }
+    report.finish();
+}
+
+#[test]
+fn the_land_stays_under_its_ceiling() {
+    let mut report = Report::new("Terrain", "the_land_stays_under_its_ceiling");
+    let fragment = "#include <terrain/height.wgsl>
+         fn highest_around(p: vec2f) -> f32 {
+             var highest = -1e9;
+             for (var i = 0; i < 64; i++) {
+                 highest = max(highest, terrain_height(p + vec2f(f32(i % 8), f32(i / 8)) * 137.7));
+             }
+             return highest;
+         }";
+    let points: Vec<[f32; 2]> = Random::new(32).points(2_000, 200_000.0);
+    for (name, settings) in RELIEFS {
+        let preset = land(settings);
+        let scope = Scope { fragment, preset: Some(&preset), ..Scope::default() };
+        let rows = values("highest_around(p) / terrain_ceiling()", &scope, ["x", "y"], &points);
+        let highest = rows.iter().map(|row| row[0]).fold(f64::MIN, f64::max);
+        report.at_most(&format!("{name}: highest of 128,000 places, as a part of the ceiling"), highest, 1.0);
+    }
+    report.finish();
+}
