@@ -22,7 +22,8 @@ struct Erosion {
     /// The slope (rise over run) that steers the gullies in place of the land's own, which gives but the direction:
     /// the gentler, the more do tributaries leave the fall line. About 1 .. 4 times strength / width.
     assumed_slope: f32,
-    /// Land of this slope is eroded half as much as steep land; level land is not.
+    /// Land of this slope is eroded half as much as steep land; level land is not. About half the usual slope: less, and
+    /// the gullies of both sides of a crest tear it where they meet.
     level_slope: f32,
     /// How round the crests between gullies are: .03 crisp, 1 waves.
     crest_roundness: f32,
@@ -38,7 +39,7 @@ const EROSION_MAX_OCTAVES: i32 = 8;
 const EROSION_JITTER: f32 = 0.8; // how far over its cell a stripe's middle may lie
 const EROSION_REACH2: f32 = 2.56; // squared reach of a cell's stripes: 1.6 cells, so that 4x4 cells are all that count
 const EROSION_FLOOR: f32 = 0.35; // coherence, in parts of the full one, below which stripes that cancel stay weak
-const EROSION_BLUNT: f32 = 0.04; // squared slope, in parts of the assumed one, under which gullies lose their lead
+const EROSION_BLUNT: f32 = 0.1; // squared slope, in parts of the assumed one, under which gullies lose their lead
 const EROSION_TAU: f32 = 6.2831853;
 
 /// Two waves a quarter apart, each with its gradient: (value, d/dx, d/dy), |value| <= 1.
