@@ -22,7 +22,8 @@ struct Erosion {
     /// The slope (rise over run) that steers the gullies in place of the land's own, which gives but the direction:
     /// the gentler, the more do tributaries leave the fall line. About 1 .. 4 times strength / width.
     assumed_slope: f32,
-    /// Land of this slope is eroded half as much as steep land; level land is not.
+    /// Land of this slope is eroded half as much as steep land; level land is not. About half the usual slope: less, and
+    /// the gullies of both sides of a crest tear it where they meet.
     level_slope: f32,
     /// How round the crests between gullies are: .03 crisp, 1 waves.
     crest_roundness: f32,
@@ -38,6 +39,7 @@ const EROSION_MAX_OCTAVES: i32 = 8;
 const EROSION_JITTER: f32 = 0.8; // how far over its cell a stripe's middle may lie
 const EROSION_REACH2: f32 = 2.56; // squared reach of a cell's stripes: 1.6 cells, so that 4x4 cells are all that count
 const EROSION_FLOOR: f32 = 0.35; // coherence, in parts of the full one, below which stripes that cancel stay weak
+const EROSION_BLUNT: f32 = 0.1; // squared slope, in parts of the assumed one, under which gullies lose their lead
 const EROSION_TAU: f32 = 6.2831853;
 
 /// Two waves a quarter apart, each with its gradient: (value, d/dx, d/dy), |value| <= 1.
@@ -82,7 +84,7 @@ fn erosion2(p: vec2f, land: Jet2, how: Erosion, seed: u32) -> vec3f {
     var cell = how.width;
     var share = 1.0 - how.gain; // of this generation; all together 1
     var left = 1.0; // for the generations still to come
-    let blunt = 0.01 * how.assumed_slope * how.assumed_slope + 1e-12;
+    let blunt = EROSION_BLUNT * how.assumed_slope * how.assumed_slope + 1e-12;
     for (var i = 0; i < EROSION_MAX_OCTAVES; i++) {
         let presence = clamp(how.octaves - f32(i), 0.0, 1.0);
         if presence <= 0.0 {
@@ -103,14 +105,17 @@ fn erosion2(p: vec2f, land: Jet2, how: Erosion, seed: u32) -> vec3f {
         // This generation, and back to `rest` where gullies do not hold.
         let form = erosion_profile(even.x, how.crest_roundness, how.gully_roundness);
         let cut = vec3f(form.x, form.y * even.yz) - rest;
-        let part = presence * hold;
+        // Where the generations before have levelled the slope there is no fall line to follow.
+        let led = vec3f(dot(down, down), 2.0 * vec2f(dot(down, down_x), dot(down, down_y)));
+        let held = vec3f(hold.x * led.x, hold.x * led.yz + led.x * hold.yz);
+        let part = presence * held;
         rest += vec3f(part.x * cut.x, part.x * cut.yz + part.yz * cut.x);
         change += share * rest;
         left -= share;
 
         // The slope that the rounded stripes leave steers the next generation.
         let tilt = -how.strength * share * presence / cell;
-        let lean = vec3f(hold.x * odd.x, hold.x * odd.yz + hold.yz * odd.x);
+        let lean = vec3f(held.x * odd.x, held.x * odd.yz + held.yz * odd.x);
         slope += tilt * lean.x * wave;
         slope_turn += tilt * (lean.x * wave_turn + mat2x2f(lean.y * wave, lean.z * wave));
 
