@@ -1,0 +1,87 @@
+// A ray against a heightfield in steps that adapt to distance and to the height above ground.
+
+#include <march/hit.wgsl>
+
+/// Height of the ground (m) at a place of the map (m); details much smaller than `footprint` (m) may be left out.
+#slot height: fn(p: vec2f, footprint: f32) -> f32
+
+/// How a march trades speed for misses: step = `shortest` + `growth` · distance + `relax` · height above ground.
+struct Adaptive {
+    /// Shortest step (m).
+    shortest: f32,
+    /// By how much steps grow with distance, as a part of it.
+    growth: f32,
+    /// Part of the height above ground that one step may cover: 1 / (steepest slope + steepest ray) misses nothing.
+    relax: f32,
+    /// Steps at most.
+    max_steps: i32,
+    /// Halvings of the last step, to find the crossing in it.
+    bisections: i32,
+    /// Size of a pixel as an angle (rad): half a pixel above ground counts as meeting it, and details finer than a
+    /// pixel need not be there. May be 0.
+    pixel_angle: f32,
+}
+
+/// First crossing of the ground along a ray.
+///
+/// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far to look, from
+/// above counted from where the ray comes below the ceiling. A ray that starts below the ground ends at once, with
+/// distance 0. Running out of steps counts as meeting the ground: steps are short only where the ray grazes it. What is
+/// missed is a crest that lies between two steps: tested, not proven. After the halvings the crossing is where a line
+/// through both ends of what is left meets the ground.
+fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, how: Adaptive) -> MarchHit {
+    var t = 0.0;
+    if direction.y < -1e-6 {
+        t = max((ceiling - origin.y) / direction.y, 0.0); // from above: nothing to meet before the ceiling
+    } else if origin.y > ceiling {
+        return MarchHit(far, false, 0, 0);
+    }
+    var end = t + far;
+    if direction.y > 1e-6 {
+        end = min(end, (ceiling - origin.y) / direction.y);
+    }
+    // The search and the halvings share the one call of `height`: what is costly is compiled once.
+    var low = t; // above ground
+    var high = t;
+    var above_low = 0.0;
+    var above_high = 0.0;
+    var found = false;
+    var halvings = 0;
+    var above = 0.0;
+    for (var steps = 0; steps < how.max_steps + how.bisections; steps++) {
+        let p = origin + t * direction;
+        above = p.y - height(p.xz, max(t * how.pixel_angle, 0.04 * above * f32(how.pixel_angle > 0.0)));
+        let under = above <= 0.5 * how.pixel_angle * t;
+        if under {
+            high = t;
+            above_high = above;
+        } else {
+            low = t;
+            above_low = above;
+        }
+        if found {
+            halvings++;
+        } else if under {
+            found = true;
+            if low == high {
+                return MarchHit(t, true, steps + 1, steps + 1);
+            }
+        } else {
+            t += how.shortest + how.growth * t + how.relax * above;
+            if t > end {
+                return MarchHit(far, false, steps + 1, steps + 1);
+            }
+            if steps + 1 >= how.max_steps {
+                return MarchHit(low, true, steps + 1, steps + 1);
+            }
+        }
+        if found {
+            if halvings >= how.bisections {
+                let part = above_low / max(above_low - above_high, 1e-20);
+                return MarchHit(mix(low, high, clamp(part, 0.0, 1.0)), true, steps + 1, steps + 1);
+            }
+            t = 0.5 * (low + high);
+        }
+    }
+    return MarchHit(low, true, how.max_steps, how.max_steps);
+}

@@ -1,0 +1,13 @@
+// What every march hands back.
+
+/// Where a ray ended.
+struct MarchHit {
+    /// Distance along the ray (m): to the surface if `hit`, else how far was looked.
+    distance: f32,
+    /// Whether it met the surface.
+    hit: bool,
+    /// Steps that it took, those of the refinement included.
+    steps: i32,
+    /// Evaluations of the slot: of the whole height, of the distance, or of single octaves, as the march says.
+    evaluations: i32,
+}
