@@ -44,7 +44,7 @@
 
 /// Width of the forms of the wide map.
 #param terrain.region: f32 = 20000.0, range 10 .. 1000000, log, unit m
-/// How high the rugged regions are raised above the plains.
+/// How much higher the rugged regions lie than the plains.
 #param terrain.uplift: f32 = 300.0, range 0 .. 9000, unit m
 /// How much of the land is plain: -1 none, 1 nearly all.
 #param terrain.valleys: f32 = 0.0, range -1 .. 1
@@ -120,11 +120,14 @@ fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
     lie = jet2_scaled(jet2_per(lie, per_metre), terrain.peak_height);
     var land = forms;
 #if terrain.dual
-    let rugged = mountains_rugged(p);
+    let wide = mountains_wide(p);
+    let middle = 0.5 * terrain.valleys;
+    let rugged = jet2_smoothstep(middle - 0.45, middle + 0.5, wide);
     let share = jet2_sum(jet2_constant(terrain.lowland), jet2_scaled(rugged, 1.0 - terrain.lowland));
+    let swell = jet2_sum(jet2_constant(0.5 * terrain.uplift), jet2_scaled(wide, 0.5 * terrain.uplift));
     land = vec3f(share.value * land.x, share.value * land.yz + land.x * share.gradient)
-        + terrain.uplift * vec3f(rugged.value, rugged.gradient);
-    lie = jet2_sum(jet2_product(share, lie), jet2_scaled(rugged, terrain.uplift));
+        + vec3f(swell.value, swell.gradient);
+    lie = jet2_sum(jet2_product(share, lie), swell);
 #endif
 
 #if terrain.eroded
@@ -145,12 +148,10 @@ fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
 }
 
 #if terrain.dual
-/// Where the land is rugged, by a wide map of its own: 0 plain .. 1 range.
-fn mountains_rugged(p: vec2f) -> Jet2 {
+/// The wide map: where the land is high and rugged and where it is plain, about -1 .. 1.
+fn mountains_wide(p: vec2f) -> Jet2 {
     let per_metre = 1.0 / terrain.region;
-    let wide = smooth_fbm2_jet(per_metre * p + vec2f(3.7, 9.2), terrain.seed + 101u, 2.0, 0.4, 2.0);
-    let middle = 0.5 * terrain.valleys;
-    return jet2_smoothstep(middle - 0.45, middle + 0.5, jet2_per(wide, per_metre));
+    return jet2_per(smooth_fbm2_jet(per_metre * p + vec2f(3.7, 9.2), terrain.seed + 101u, 2.0, 0.4, 2.0), per_metre);
 }
 #endif
 
@@ -195,7 +196,7 @@ fn mountains_ceiling() -> f32 {
 #endif
     var ceiling = terrain.peak_height * forms + rough;
 #if terrain.dual
-    ceiling += terrain.uplift;
+    ceiling += 1.2 * terrain.uplift;
 #endif
 #if terrain.eroded
     ceiling += 0.5 * terrain.gully_depth;
