@@ -18,6 +18,10 @@
 const TREE_JITTER: f32 = 0.36; // how far a trunk stands off its cell's middle, in cells
 const TREE_REACH: f32 = 0.60; // widest crown, in cells
 const TREE_OVERHANG: f32 = TREE_REACH + TREE_JITTER - 0.5; // farthest that a tree reaches out of its cell, in cells
+const SPRUCE_YEARS: f32 = 21.0; // whorls
+const SPRUCE_SECTOR: f32 = 0.897598; // angle between the branches of a whorl: a seventh of a turn
+const SPRUCE_DROOP: f32 = 0.45; // how far a branch sinks on its way outward, as a part of that way
+const SPRUCE_STEEPNESS: f32 = 1.75; // of `spruce_branches`: edges of the fans and the droop together
 const SPRUCE_LEADER: f32 = 0.35; // upper part of a spruce that tapers to a point
 const TREE_ROOT: f32 = 3.0; // how deep the trunk goes on under ground (m): the ground is coarser at the trunk
 
@@ -87,23 +91,14 @@ fn tree_sway(tree: Tree, height: f32) -> vec2f {
     return 0.7 * trees.sway * bend * bend * wind;
 }
 
-/// The crown without leaves: (value, gradient) at `q` (m from the foot). Negative inside; nowhere above the distance
-/// to it, gradient at most 1.
+/// The crown without leaves: (value, gradient) at `q` (m from the foot). Negative inside; its gradient is at most 1 for
+/// broadleaved trees and `SPRUCE_STEEPNESS` for spruces.
 ///
 /// Broadleaved: (|s| - 1) times the shortest radius, s being `q` in radii of an ellipsoid with a flatter lower half.
-/// (The usual bound |s| (|s| - 1) / |s / r| is nearer, but its gradient exceeds 1.) Spruce: a cone.
-fn crown_hull(tree: Tree, q: vec3f) -> vec4f {
+/// (The usual bound |s| (|s| - 1) / |s / r| is nearer, but its gradient exceeds 1.) Spruce: branches in a cone.
+fn crown_hull(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
     if tree.spruce {
-        let length = tree.height - tree.crown;
-        let slope = tree.radius / length;
-        let scale = inverseSqrt(1.0 + slope * slope);
-        let axis = max(length2(q.xz), 1e-4);
-        let side = (axis - slope * (tree.height - q.y)) * scale;
-        let under = tree.crown + 0.35 * axis - q.y; // the lowest branches droop less than their tips are raised
-        if 0.9438 * under > side {
-            return 0.9438 * vec4f(under, 0.35 * q.x / axis, -1.0, 0.35 * q.z / axis); // 1 / sqrt(1 + 0.35²)
-        }
-        return vec4f(side, scale * q.x / axis, scale * slope, scale * q.z / axis);
+        return spruce_branches(tree, q, footprint);
     }
     let half = (tree.height - tree.crown) / 1.65;
     let middle = tree.height - half;
@@ -112,6 +107,58 @@ fn crown_hull(tree: Tree, q: vec3f) -> vec4f {
     let k = max(length(s), 1e-4);
     let shortest = min(tree.radius, 0.65 * half);
     return vec4f(shortest * (k - 1.0), shortest / k * s / radii);
+}
+
+/// The cone that a spruce fills: (value, gradient); gradient at most 1.
+fn spruce_cone(tree: Tree, q: vec3f) -> vec4f {
+    let slope = tree.radius / (tree.height - tree.crown);
+    let scale = inverseSqrt(1.0 + slope * slope);
+    let axis = max(length2(q.xz), 1e-4);
+    let side = scale * (axis - slope * (tree.height - q.y));
+    let under = 0.9438 * (tree.crown + 0.35 * axis - q.y); // 1 / sqrt(1 + 0.35²)
+    if under > side {
+        return 0.9438 * vec4f(under / 0.9438, 0.35 * q.x / axis, -1.0, 0.35 * q.z / axis);
+    }
+    return vec4f(side, scale * q.x / axis, scale * slope, scale * q.z / axis);
+}
+
+/// A spruce: whorls of branches, one for each year, within a cone; (value, gradient).
+///
+/// Each branch is a fan that droops. A whorl is turned by the golden angle against the one below.
+fn spruce_branches(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
+    let cone = spruce_cone(tree, q);
+    let year = tree.height / SPRUCE_YEARS;
+    let axis = max(length2(q.xz), 1e-4);
+    let outward = q.xz / axis;
+    let angle = atan2(q.z, select(q.x, 1e-4, axis <= 1e-4));
+    let rise = inverseSqrt(1.0 + SPRUCE_DROOP * SPRUCE_DROOP);
+    let level = (q.y + SPRUCE_DROOP * axis) / year + unit_float(tree.id);
+    let seen = 1.0 - smoothstep(0.15, 0.6, footprint / year);
+    let eaten = 0.5 * dot(crown_amplitudes(tree), vec3f(1.0)); // what the leaves will take
+    // A core that nothing is seen through.
+    var found = vec4f(axis - 0.25 * (axis - cone.x) - eaten, outward.x, 0.1, outward.y);
+    for (var i = 0; i < 2; i++) {
+        let whorl = floor(level) + f32(i);
+        let turn = angle + 2.39996 * whorl;
+        let sector = turn - SPRUCE_SECTOR * round(turn / SPRUCE_SECTOR);
+        let aside = axis * abs(sin(sector)) - 0.30 * axis - 0.10; // beyond the fan's edge
+        let apart = max(aside, 0.0);
+        let over = rise * (level - whorl) * year;
+        let away = max(sqrt(apart * apart + over * over), 1e-4);
+        let value = away - 0.20 * year - eaten;
+        if value < found.x {
+            let across = select(-1.0, 1.0, sector > 0.0) * vec2f(-outward.y, outward.x) - 0.30 * outward;
+            let flat_part = apart / away * across + over / away * rise * SPRUCE_DROOP * outward;
+            found = vec4f(value, flat_part.x, over / away * rise, flat_part.y);
+        }
+    }
+    if seen < 1.0 {
+        found = mix(vec4f(cone.x + 0.3 * year, cone.yzw), found, seen);
+    }
+    if cone.x > found.x {
+        return cone;
+    }
+    return found;
 }
 
 /// How much leaves eat into the crown: (depth in m, gradient) at `q` (m from the foot), for a pixel `footprint` (m) wide.
@@ -139,20 +186,10 @@ fn crown_leaves(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
         sum += n + vec4f(0.5 * amplitudes[i], 0.0, 0.0, 0.0);
     }
     if tree.spruce {
-        // Whorls: each year's branches, drooping to their tips.
-        let year = 0.055 * tree.height;
-        let axis = max(length2(q.xz), 1e-4);
-        let seen = 1.0 - smoothstep(0.3, 1.2, footprint / year);
-        let wave = fract((q.y + 0.45 * axis) / year + unit_float(tree.id));
-        let rising = wave < 0.65;
-        let depth = 0.30 * year * seen;
-        let profile = select((1.0 - wave) / 0.35, wave / 0.65, rising);
-        let steepness = select(-1.0 / 0.35, 1.0 / 0.65, rising) / year;
-        sum += depth * vec4f(profile, steepness * vec3f(0.45 * q.x / axis, 1.0, 0.45 * q.z / axis));
         // Little is eaten off the leader: spruces are pointed.
         let below = (tree.height - q.y) / (SPRUCE_LEADER * tree.height);
-        let held = 0.15 + 0.85 * clamp(below, 0.0, 1.0);
-        let fall = select(0.0, 0.85 / (SPRUCE_LEADER * tree.height), below > 0.0 && below < 1.0);
+        let held = 0.02 + 0.98 * clamp(below, 0.0, 1.0);
+        let fall = select(0.0, 0.98 / (SPRUCE_LEADER * tree.height), below > 0.0 && below < 1.0);
         sum = vec4f(held * sum.x, held * sum.y, held * sum.z - fall * sum.x, held * sum.w);
     }
     return sum;
@@ -161,17 +198,17 @@ fn crown_leaves(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
 /// How deep each size of leaves eats into a crown (m): boughs, tufts, leaves.
 fn crown_amplitudes(tree: Tree) -> vec3f {
     if tree.spruce {
-        return vec3f(0.16 * tree.radius, 0.50 * trees.tuft, 0.24 * trees.tuft);
+        return vec3f(0.14 * tree.radius, 0.70 * trees.tuft, 0.36 * trees.tuft);
     }
-    return vec3f(0.42 * tree.radius, 0.75 * trees.tuft, 0.28 * trees.tuft);
+    return vec3f(0.46 * tree.radius, 1.15 * trees.tuft, 0.50 * trees.tuft);
 }
 
 /// How far apart each size of leaves repeats (m).
 fn crown_scales(tree: Tree) -> vec3f {
     if tree.spruce {
-        return vec3f(0.40 * tree.radius, 0.85 * trees.tuft, 0.33 * trees.tuft);
+        return vec3f(0.34 * tree.radius, 0.70 * trees.tuft, 0.26 * trees.tuft);
     }
-    return vec3f(0.46 * tree.radius, 0.95 * trees.tuft, 0.30 * trees.tuft);
+    return vec3f(0.46 * tree.radius, 0.95 * trees.tuft, 0.28 * trees.tuft);
 }
 
 /// The steepest that `crown_hull` + `crown_leaves` can be.
@@ -183,9 +220,8 @@ fn crown_steepness(tree: Tree) -> f32 {
     let flat_twigs = select(vec3f(1.0), vec3f(1.0, 1.6, 1.6), tree.spruce);
     var steepest = 1.0 + 0.5 * 3.75 * dot(crown_amplitudes(tree) / scales, flat_twigs);
     if tree.spruce {
-        let eaten = crown_amplitudes(tree) + vec3f(0.0165 * tree.height, 0.0, 0.0);
-        steepest += 0.30 / 0.35 * 1.0966; // sqrt(1 + 0.45²)
-        steepest += 0.85 / (SPRUCE_LEADER * tree.height) * dot(eaten, vec3f(1.0));
+        let eaten = dot(crown_amplitudes(tree), vec3f(1.0));
+        steepest += SPRUCE_STEEPNESS - 1.0 + 0.98 / (SPRUCE_LEADER * tree.height) * eaten;
     }
     return steepest * (1.0 + 1.7 * trees.sway / tree.height); // a bent crown is sheared
 }
@@ -195,7 +231,7 @@ fn crown_steepness(tree: Tree) -> f32 {
 fn crown_field(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
     let bent = tree_sway(tree, q.y);
     let upright = q - vec3f(bent.x, 0.0, bent.y);
-    return crown_hull(tree, upright) + crown_leaves(tree, upright, footprint);
+    return crown_hull(tree, upright, footprint) + crown_leaves(tree, upright, footprint);
 }
 
 /// Distance (m) to the upright cylinder that a tree keeps to, leaves, trunk and sway included; a lower bound, gradient at

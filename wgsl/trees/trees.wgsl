@@ -416,7 +416,7 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, sun_seen: f32) -> 
             albedo, axis, to_sun, sun_light(), sky_irradiance(), sun_seen, open, vec3f(0.04, 0.05, 0.02),
         );
     }
-    let hull = crown_hull(tree, q);
+    let hull = crown_hull(tree, q, footprint);
     let ragged = crown_leaves(tree, q, footprint);
     let round = normalize_or(hull.yzw, vec3f(0.0, 1.0, 0.0));
     let leafy = normalize_or(hull.yzw + 0.75 * ragged.yzw, round);
@@ -435,10 +435,16 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, sun_seen: f32) -> 
         through = leaf * vec3f(1.05, 1.0, 0.45);
     }
     leaf *= (0.75 + 0.5 * dice.z) * (1.0 + 0.25 * blotch);
+    // Single leaves turn to the light or away from it, and between them it is dark.
+    let leaf_size = select(0.16, 0.09, tree.spruce);
+    let resolved = 1.0 - smoothstep(0.5, 2.0, footprint / leaf_size);
+    let sparkle = value_noise3(q / leaf_size + 50.0 * dice.zxy, 57u) + value_noise3(2.7 * q / leaf_size, 59u);
+    let turned_up = 1.0 + resolved * clamp(1.1 * sparkle, -0.8, 1.0);
     through *= 0.75 + 0.5 * dice.z;
 
     // Depth below the hull that leaves leave on average, in m.
-    let deep = max(0.5 * dot(crown_amplitudes(tree), vec3f(1.0)) - 0.25 * tree.radius - hull.x, 0.0);
+    let outside = select(hull.x, spruce_cone(tree, q).x, tree.spruce);
+    let deep = max(-0.35 * dot(crown_amplitudes(tree), vec3f(1.0)) - outside, 0.0);
     let open = exp(-0.9 * deep / trees.clearness) * mix(0.35, 1.0, up * up) * (0.75 + 0.25 * normal.y);
     let facing = dot(normal, to_sun);
     let lit = sun_light() * sun_seen;
@@ -446,7 +452,7 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, sun_seen: f32) -> 
     let glow = max(0.35 - 0.65 * facing, 0.0) * (0.5 + 0.5 * smoothstep(-0.2, 0.9, dot(direction, to_sun)));
     let ambient = sky_irradiance() * (0.5 + 0.5 * normal.y) * open;
     let bounce = 0.05 * sun_light() * max(to_sun.y, 0.0) * (0.5 - 0.5 * normal.y) * open;
-    return (leaf * (lit * reflected + ambient + bounce) + through * lit * glow) / 3.14159265;
+    return turned_up * (leaf * (lit * reflected + ambient + bounce) + through * lit * glow) / 3.14159265;
 }
 
 /// The tree of a cell as it stands, with its foot on the ground; `found` is false where none does. Three heights of the
