@@ -18,7 +18,8 @@
 const TREE_JITTER: f32 = 0.36; // how far a trunk stands off its cell's middle, in cells
 const TREE_REACH: f32 = 0.60; // widest crown, in cells
 const TREE_OVERHANG: f32 = TREE_REACH + TREE_JITTER - 0.5; // farthest that a tree reaches out of its cell, in cells
-const SPRUCE_YEARS: f32 = 21.0; // whorls
+const SPRUCE_TOP_YEAR: f32 = 0.020; // from the topmost whorl to the top, in heights of the tree
+const SPRUCE_GROWTH: f32 = 0.062; // by how much lower whorls are farther apart, in heights of the tree
 const SPRUCE_SECTOR: f32 = 0.897598; // angle between the branches of a whorl: a seventh of a turn
 const SPRUCE_DROOP: f32 = 0.45; // how far a branch sinks on its way outward, as a part of that way
 const SPRUCE_STEEPNESS: f32 = 1.75; // of `spruce_branches`: edges of the fans and the droop together
@@ -127,16 +128,20 @@ fn spruce_cone(tree: Tree, q: vec3f) -> vec4f {
 /// Each branch is a fan that droops. A whorl is turned by the golden angle against the one below.
 fn spruce_branches(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
     let cone = spruce_cone(tree, q);
-    let year = tree.height / SPRUCE_YEARS;
     let axis = max(length2(q.xz), 1e-4);
     let outward = q.xz / axis;
     let angle = atan2(q.z, select(q.x, 1e-4, axis <= 1e-4));
     let rise = inverseSqrt(1.0 + SPRUCE_DROOP * SPRUCE_DROOP);
-    let level = (q.y + SPRUCE_DROOP * axis) / year + unit_float(tree.id);
+    // Years are shorter toward the top: year = height · (top + growth · part below the top), and their sum is a log.
+    let below_top = max(1.0 - (q.y + SPRUCE_DROOP * axis) / tree.height, 0.0);
+    let shrunk = SPRUCE_TOP_YEAR + SPRUCE_GROWTH * below_top;
+    let year = shrunk * tree.height;
+    let level = unit_float(tree.id) - log(shrunk) / SPRUCE_GROWTH;
     let seen = 1.0 - smoothstep(0.15, 0.6, footprint / year);
     let eaten = 0.5 * dot(crown_amplitudes(tree), vec3f(1.0)); // what the leaves will take
+    let held = clamp((tree.height - q.y) / (SPRUCE_LEADER * tree.height), 0.0, 1.0);
     // A core that nothing is seen through.
-    var found = vec4f(axis - 0.25 * (axis - cone.x) - eaten, outward.x, 0.1, outward.y);
+    var found = vec4f(axis - 0.25 * (axis - cone.x) - held * eaten, outward.x, 0.1, outward.y);
     for (var i = 0; i < 2; i++) {
         let whorl = floor(level) + f32(i);
         let turn = angle + 2.39996 * whorl;
@@ -145,7 +150,7 @@ fn spruce_branches(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
         let apart = max(aside, 0.0);
         let over = rise * (level - whorl) * year;
         let away = max(sqrt(apart * apart + over * over), 1e-4);
-        let value = away - 0.20 * year - eaten;
+        let value = away - 0.13 * year - held * eaten;
         if value < found.x {
             let across = select(-1.0, 1.0, sector > 0.0) * vec2f(-outward.y, outward.x) - 0.30 * outward;
             let flat_part = apart / away * across + over / away * rise * SPRUCE_DROOP * outward;
@@ -198,7 +203,7 @@ fn crown_leaves(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
 /// How deep each size of leaves eats into a crown (m): boughs, tufts, leaves.
 fn crown_amplitudes(tree: Tree) -> vec3f {
     if tree.spruce {
-        return vec3f(0.14 * tree.radius, 0.70 * trees.tuft, 0.36 * trees.tuft);
+        return vec3f(0.10 * tree.radius, 0.45 * trees.tuft, 0.30 * trees.tuft);
     }
     return vec3f(0.46 * tree.radius, 1.15 * trees.tuft, 0.50 * trees.tuft);
 }
