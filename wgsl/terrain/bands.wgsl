@@ -4,6 +4,7 @@
 #include <noise/perlin.wgsl>
 #include <noise/value.wgsl>
 #include <terrain/material.wgsl>
+#include <trees/cover.wgsl>
 
 /// Height below which the ground is mud.
 #param ground.mud_line: f32 = -100.0, range -1000 .. 9000, unit m
@@ -11,10 +12,6 @@
 #param ground.sand_line: f32 = -60.0, range -1000 .. 9000, unit m
 /// Height above which no grass grows.
 #param ground.grass_line: f32 = 1100.0, range -1000 .. 9000, unit m
-/// Height above which no forest grows.
-#param ground.tree_line: f32 = 900.0, range -1000 .. 9000, unit m
-/// How much of the ground below the tree line is forest, as far as it is not too steep.
-#param ground.forest_cover: f32 = 0.45, range 0 .. 1
 /// Height above which snow lies where it can.
 #param ground.snow_line: f32 = 1500.0, range -1000 .. 12000, unit m
 /// How far the boundaries wander up and down.
@@ -31,8 +28,6 @@
 #param ground.grass: vec3f = (0.055, 0.085, 0.022), color
 /// Albedo of dry grass.
 #param ground.dry_grass: vec3f = (0.16, 0.135, 0.06), color
-/// Albedo of forest seen from afar.
-#param ground.forest: vec3f = (0.022, 0.040, 0.016), color
 /// Albedo of rock.
 #param ground.rock: vec3f = (0.27, 0.245, 0.22), color
 /// Albedo of the darker stripes in it.
@@ -52,7 +47,7 @@ fn striped_rock(position: vec3f, normal: vec3f, wander: f32) -> vec3f {
     return mix(ground.rock, ground.dark_rock, stripe * (0.35 + 0.65 * steep));
 }
 
-/// The ground in bands. Four fBms and two noises.
+/// The ground in bands. Six fBms and two noises.
 fn bands_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
     let octaves = clamp(log2(400.0 / max(2.0 * footprint, 0.05)), 0.0, 9.0);
     let wander = patches_fbm2(position.xz / 400.0, 5u, octaves, 0.55, 2.03).x;
@@ -68,13 +63,11 @@ fn bands_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
     let grown = holds * (1.0 - smoothstep(0.38, 0.62, thin + 0.25 * mottle));
     albedo = mix(albedo, turf, grown);
 
-    // Forest as it looks from afar: dark, closed, the crowns catching the light. Trees have a file of their own.
+    // Woods as they look from afar: dark, closed, the crowns catching the light. Near ones have trees of their own.
     let crown_octaves = clamp(log2(11.0 / max(2.0 * footprint, 0.05)), 0.0, 3.0);
     let crowns = patches_fbm2(position.xz / 11.0, 9u, crown_octaves, 0.6, 2.1);
-    let clearing = 1.5 * (0.5 - ground.forest_cover) + 0.35 * mottle;
-    let below = 1.0 - smoothstep(-0.6, 0.3, (y - ground.tree_line) / max(ground.raggedness, 1.0));
-    let wooded = below * smoothstep(-0.08, 0.08, wander - clearing + 0.3 * crowns.x) * smoothstep(0.66, 0.78, normal.y);
-    albedo = mix(albedo, ground.forest * (1.0 + 0.6 * crowns.x), wooded);
+    let wooded = trees_cover(position, normal);
+    albedo = mix(albedo, trees_canopy_albedo(position.xz) * (1.0 + 0.6 * crowns.x), wooded);
 
     let shore = max(0.1 * ground.raggedness, 0.5);
     let beach = ground.gravel * (1.0 + 0.3 * mottle);
