@@ -11,3 +11,7 @@
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]
 
 mod harness;
+mod noise;
+mod noise_cells;
+mod noise_flow;
+mod noise_ranges;

@@ -1,7 +1,7 @@
 // Curl noise (Bridson 2007, "Curl-Noise for Procedural Fluid Flow"): flows without sources or sinks.
 //
-// The divergence of a curl is zero whatever the potential, and the derivatives here are analytic: rounding is all that is
-// left of it.
+// The divergence of a curl is zero whatever the potential, and the derivatives here are analytic: rounding is all that
+// is left of it.
 
 #include <noise/perlin.wgsl>
 

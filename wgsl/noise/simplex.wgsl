@@ -71,14 +71,15 @@ fn simplex_noise2_tiled(p: vec2f, period: vec2u, seed: u32) -> vec3f {
     let spare = vec2u(columns, rows) - span;
     let excess = vec2f(spare) / across;
     // Cells are wrapped to -period / 2 .. period / 2, where f32 has its digits.
-    let floored = floor(p);
-    let cell = vec2i(floored);
+    let middle = floor(p + 0.5);
+    let cell = vec2i(middle);
     let wrapped = vec2u(wrap_cell(cell.x, span.x), wrap_cell(cell.y, span.y));
     let near = bitcast<vec2i>(select(wrapped, wrapped - span, wrapped > span / 2u));
     // near * spare / span, whole part and remainder: the integers may overflow, their difference does not.
     let whole = vec2i(round(vec2f(near) * excess));
     let rest = vec2f(near * bitcast<vec2i>(spare) - whole * bitcast<vec2i>(span)) / across;
-    let triangle = simplex_triangle_at(near + whole, (p - floored) * (1.0 + excess) + rest);
+    let t = p - middle;
+    let triangle = simplex_triangle_at(near + whole, t + (t * excess + rest));
     let n = simplex_sum2(
         triangle,
         simplex_wrap(triangle.columns, 2u * columns),
@@ -170,13 +171,14 @@ fn simplex_hash2(column: i32, row: i32, key: u32) -> u32 {
 ///
 /// Carried to the lattice as cell + fraction, the cell's part in 32-bit fixed point: nothing cancels far out.
 fn simplex_triangle(p: vec2f) -> SimplexTriangle {
-    let floored = floor(p);
-    let cell = vec2i(floored);
+    let middle = floor(p + 0.5); // of the cell around p: a small rest keeps its digits
+    let cell = vec2i(middle);
     // Steps a unit are (sqrt(3/2), sqrt(2)): 1 + excess. The product's integer bits overflow and leave its fraction.
     let excess = vec2f(0.22474487, 0.41421356);
     let carried = vec2f(bitcast<vec2i>(bitcast<vec2u>(cell) * vec2u(965271873u, 1779033704u))) / 4294967296.0;
     let steps = cell + vec2i(round(vec2f(cell) * excess - carried));
-    return simplex_triangle_at(steps, (p - floored) * (1.0 + excess) + carried);
+    let t = p - middle;
+    return simplex_triangle_at(steps, t + (t * excess + carried));
 }
 
 /// The lattice points around a place that is given in steps along x and in rows, whole ones and the rest.
@@ -185,17 +187,18 @@ fn simplex_triangle_at(whole: vec2i, rest: vec2f) -> SimplexTriangle {
     let y = rest.y - up;
     let row = whole.y + i32(up);
     let odd = row & 1;
-    // Along the slanted axes of the lattice.
-    let slanted = rest.x - 0.5 * (y + f32(odd));
+    // Along the slanted axis of the lattice: which rhombus, and which half of it, its near corner's or its far one's.
+    let along = rest.x - 0.5 * f32(odd);
+    let slanted = along - 0.5 * y;
     let right = floor(slanted);
-    let x = slanted - right;
+    let far = select(0.0, 1.0, slanted - right + y > 1.0);
     let column = 2 * (whole.x + i32(right)) + odd;
-    let far = select(0.0, 1.0, x + y > 1.0); // which half of the rhombus: its near corner or its far one
+    let x = along - right; // straight along the row
     let spacing = vec2f(0.81649658, 0.70710678);
     return SimplexTriangle(
-        spacing * vec2f(x - far + 0.5 * (y - far), y - far),
-        spacing * vec2f(x - 1.0 + 0.5 * y, y),
-        spacing * vec2f(x + 0.5 * (y - 1.0), y - 1.0),
+        spacing * vec2f(x - 1.5 * far, y - far),
+        spacing * vec2f(x - 1.0, y),
+        spacing * vec2f(x - 0.5, y - 1.0),
         vec3i(column) + vec3i(3 * i32(far), 2, 1),
         vec3i(row) + vec3i(i32(far), 0, 1),
     );

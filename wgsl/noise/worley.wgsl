@@ -1,7 +1,7 @@
 // Cellular noise (Worley 1996): distances to the nearest of feature points, one anywhere in each cell of a grid.
 //
-// 1 - f1 / sqrt(dimension) is the inverted form, 0 .. 1 and 1 at the feature points: the billows of clouds. f2 - f1 is zero
-// on the borders between regions.
+// 1 - f1 / sqrt(dimension) is the inverted form, 0 .. 1 and 1 at the feature points: the billows of clouds. f2 - f1 is
+// zero on the borders between regions.
 
 #include <noise/lattice.wgsl>
 

@@ -3,8 +3,17 @@
 use super::{PERLIN2_SCALE, Period, direction2, direction3, dot, point_hash};
 use crate::hash::signed;
 
-/// Value noise.
-pub fn value<const N: usize>(p: [f64; N], period: Period<N>, seed: u32) -> f64 {
+/// Value noise of the plane.
+pub fn value2(p: [f64; 2], period: Period<2>, seed: u32) -> f64 {
+    value(p, period, seed)
+}
+
+/// Value noise of space.
+pub fn value3(p: [f64; 3], period: Period<3>, seed: u32) -> f64 {
+    value(p, period, seed)
+}
+
+fn value<const N: usize>(p: [f64; N], period: Period<N>, seed: u32) -> f64 {
     blend(p.map(|x| x.floor() as i64), p.map(|x| x - x.floor()), period, seed, |hash, _| signed(hash))
 }
 

@@ -3,15 +3,17 @@
 //! Each is the sum over the lattice points that reach a place, whichever they are: nothing here knows how the GPU finds them.
 
 pub mod bounds;
+mod compounds;
 mod interleaved_gradient;
 mod lattice;
 mod simplex;
 mod worley;
 
+pub use compounds::{curl2, curl3, perlin_worley3};
 pub use interleaved_gradient::interleaved_gradient;
-pub use lattice::{perlin2, perlin3, perlin3_at, value};
+pub use lattice::{perlin2, perlin3, perlin3_at, value2, value3};
 pub use simplex::{simplex2, simplex3};
-pub use worley::{Worley, worley};
+pub use worley::{Worley, worley2, worley3};
 
 use crate::hash::{pcg, signed};
 

@@ -16,8 +16,20 @@ pub struct Worley<const N: usize> {
     pub id: u32,
 }
 
+/// The nearest feature points in the plane.
+#[must_use]
+pub fn worley2(p: [f64; 2], period: Period<2>, seed: u32) -> Worley<2> {
+    worley(p, period, seed)
+}
+
+/// The nearest feature points in space.
+#[must_use]
+pub fn worley3(p: [f64; 3], period: Period<3>, seed: u32) -> Worley<3> {
+    worley(p, period, seed)
+}
+
 /// The nearest feature points of 5 × 5 (× 5) cells: no second nearest is more than √3 away, all others are at least 2.
-pub fn worley<const N: usize>(p: [f64; N], period: Period<N>, seed: u32) -> Worley<N> {
+fn worley<const N: usize>(p: [f64; N], period: Period<N>, seed: u32) -> Worley<N> {
     let period = period.map(|period| period.map(i64::from));
     let mut found = Worley { f1: f64::INFINITY, f2: f64::INFINITY, offset: [0.0; N], id: 0 };
     for neighbour in 0..5_i64.pow(N as u32) {
