@@ -12,3 +12,7 @@
 
 mod fractal;
 mod harness;
+mod noise;
+mod noise_cells;
+mod noise_flow;
+mod noise_ranges;

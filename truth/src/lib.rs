@@ -7,4 +7,5 @@
 pub mod erosion;
 pub mod fractal;
 pub mod hash;
+pub mod noise;
 pub mod points;
