@@ -10,5 +10,10 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]
 
+mod fractal;
 mod harness;
+mod noise;
+mod noise_cells;
+mod noise_flow;
+mod noise_ranges;
 mod terrain;

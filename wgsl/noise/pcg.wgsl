@@ -58,3 +58,8 @@ fn unit_float3(bits: vec3u) -> vec3f {
 fn signed_float(bits: u32) -> f32 {
     return f32(bits >> 8u) * (1.0 / 8388608.0) - 1.0;
 }
+
+/// `signed_float` of four hashes.
+fn signed_float4(bits: vec4u) -> vec4f {
+    return vec4f(bits >> vec4u(8u)) * (1.0 / 8388608.0) - 1.0;
+}

@@ -2,7 +2,7 @@
 
 #include <math/fade.wgsl>
 #include <math/jet.wgsl>
-#include <noise/pcg.wgsl>
+#include <noise/lattice.wgsl>
 
 /// `perlin_noise2` is nowhere larger: four unit gradients that point at the middle of their cell.
 const PERLIN_NOISE2_RANGE: f32 = 1.0;
@@ -22,40 +22,26 @@ fn perlin_noise2(p: vec2f, seed: u32) -> f32 {
 /// The raw supremum is then 1/sqrt(2), at the middle of a cell whose four gradients point at it.
 fn perlin_noise2_grad(p: vec2f, seed: u32) -> vec3f {
     let lattice = floor(p);
-    let t = p - lattice;
-    let cell = bitcast<vec2u>(vec2i(lattice));
-    let key = pcg(seed);
-    let row0 = pcg(cell.y + key);
-    let row1 = pcg(cell.y + 1u + key);
-    let g00 = perlin_direction2(pcg(cell.x + row0));
-    let g10 = perlin_direction2(pcg(cell.x + 1u + row0));
-    let g01 = perlin_direction2(pcg(cell.x + row1));
-    let g11 = perlin_direction2(pcg(cell.x + 1u + row1));
-    let v00 = dot(g00, t);
-    let v10 = dot(g10, t - vec2f(1.0, 0.0));
-    let v01 = dot(g01, t - vec2f(0.0, 1.0));
-    let v11 = dot(g11, t - vec2f(1.0, 1.0));
-    let w = quintic_fade2(t);
-    let dw = quintic_fade2_slope(t);
-    let low = mix(v00, v10, w.x);
-    let high = mix(v01, v11, w.x);
-    let carried = mix(mix(g00, g10, w.x), mix(g01, g11, w.x), w.y);
-    let blended = dw * vec2f(mix(v10 - v00, v11 - v01, w.y), high - low);
-    return 1.4142 * vec3f(mix(low, high, w.y), carried + blended);
+    return perlin_blend2(cell_hash2(vec2i(lattice), seed), p - lattice);
+}
+
+/// As `perlin_noise2_grad`, repeating every `period` cells along each axis; any period from 1 on.
+///
+/// Cells are wrapped, not positions: p and p + period give the same bits.
+fn perlin_noise2_tiled(p: vec2f, period: vec2u, seed: u32) -> vec3f {
+    let lattice = floor(p);
+    return perlin_blend2(cell_hash2_tiled(vec2i(lattice), period, seed), p - lattice);
 }
 
 /// As `perlin_noise2_grad`, with the second derivatives; these are continuous too.
 fn perlin_noise2_jet(p: vec2f, seed: u32) -> Jet2 {
     let lattice = floor(p);
     let t = p - lattice;
-    let cell = bitcast<vec2u>(vec2i(lattice));
-    let key = pcg(seed);
-    let row0 = pcg(cell.y + key);
-    let row1 = pcg(cell.y + 1u + key);
-    let g00 = perlin_direction2(pcg(cell.x + row0));
-    let g10 = perlin_direction2(pcg(cell.x + 1u + row0));
-    let g01 = perlin_direction2(pcg(cell.x + row1));
-    let g11 = perlin_direction2(pcg(cell.x + 1u + row1));
+    let corners = cell_hash2(vec2i(lattice), seed);
+    let g00 = perlin_direction2(corners.x);
+    let g10 = perlin_direction2(corners.y);
+    let g01 = perlin_direction2(corners.z);
+    let g11 = perlin_direction2(corners.w);
     let v00 = dot(g00, t);
     let v10 = dot(g10, t - vec2f(1.0, 0.0));
     let v01 = dot(g01, t - vec2f(0.0, 1.0));
@@ -90,32 +76,57 @@ fn perlin_noise3(p: vec3f, seed: u32) -> f32 {
 /// Lattice gradients are Perlin's twelve edges of the cube; the raw supremum is 1.0363538.
 fn perlin_noise3_grad(p: vec3f, seed: u32) -> vec4f {
     let lattice = floor(p);
-    let t = p - lattice;
-    let cell = bitcast<vec3u>(vec3i(lattice));
-    let key = pcg(seed);
-    let slice0 = pcg(cell.z + key);
-    let slice1 = pcg(cell.z + 1u + key);
-    let row00 = pcg(cell.y + slice0);
-    let row10 = pcg(cell.y + 1u + slice0);
-    let row01 = pcg(cell.y + slice1);
-    let row11 = pcg(cell.y + 1u + slice1);
-    let g000 = perlin_direction3(pcg(cell.x + row00));
-    let g100 = perlin_direction3(pcg(cell.x + 1u + row00));
-    let g010 = perlin_direction3(pcg(cell.x + row10));
-    let g110 = perlin_direction3(pcg(cell.x + 1u + row10));
-    let g001 = perlin_direction3(pcg(cell.x + row01));
-    let g101 = perlin_direction3(pcg(cell.x + 1u + row01));
-    let g011 = perlin_direction3(pcg(cell.x + row11));
-    let g111 = perlin_direction3(pcg(cell.x + 1u + row11));
+    return perlin_blend3(cell_hash3(vec3i(lattice), seed), p - lattice);
+}
+
+/// As `perlin_noise3_grad`, repeating every `period` cells along each axis; any period from 1 on.
+fn perlin_noise3_tiled(p: vec3f, period: vec3u, seed: u32) -> vec4f {
+    let lattice = floor(p);
+    return perlin_blend3(cell_hash3_tiled(vec3i(lattice), period, seed), p - lattice);
+}
+
+/// `perlin_noise3` at `cell` + `fraction`: as smooth a million cells from the origin as beside it.
+///
+/// `fraction` may leave 0 .. 1; what is whole of it is carried to the cell. Equal to `perlin_noise3(p, seed)` bit for
+/// bit at `cell` = floor(p), `fraction` = fract(p).
+fn perlin_noise3_at(cell: vec3i, fraction: vec3f, seed: u32) -> f32 {
+    return perlin_noise3_at_grad(cell, fraction, seed).x;
+}
+
+/// `perlin_noise3_at` and its analytic gradient: (value, d/dx, d/dy, d/dz).
+fn perlin_noise3_at_grad(cell: vec3i, fraction: vec3f, seed: u32) -> vec4f {
+    let carry = floor(fraction);
+    return perlin_blend3(cell_hash3(cell + vec3i(carry), seed), fraction - carry);
+}
+
+fn perlin_blend2(corners: vec4u, t: vec2f) -> vec3f {
+    let g00 = perlin_direction2(corners.x);
+    let g10 = perlin_direction2(corners.y);
+    let g01 = perlin_direction2(corners.z);
+    let g11 = perlin_direction2(corners.w);
+    let v00 = dot(g00, t);
+    let v10 = dot(g10, t - vec2f(1.0, 0.0));
+    let v01 = dot(g01, t - vec2f(0.0, 1.0));
+    let v11 = dot(g11, t - vec2f(1.0, 1.0));
+    let w = quintic_fade2(t);
+    let dw = quintic_fade2_slope(t);
+    let low = mix(v00, v10, w.x);
+    let high = mix(v01, v11, w.x);
+    let carried = mix(mix(g00, g10, w.x), mix(g01, g11, w.x), w.y);
+    let blended = dw * vec2f(mix(v10 - v00, v11 - v01, w.y), high - low);
+    return 1.4142 * vec3f(mix(low, high, w.y), carried + blended);
+}
+
+fn perlin_blend3(corners: CellHash3, t: vec3f) -> vec4f {
     // Each corner as (value, gradient): blending them blends both.
-    let c000 = vec4f(dot(g000, t), g000);
-    let c100 = vec4f(dot(g100, t - vec3f(1.0, 0.0, 0.0)), g100);
-    let c010 = vec4f(dot(g010, t - vec3f(0.0, 1.0, 0.0)), g010);
-    let c110 = vec4f(dot(g110, t - vec3f(1.0, 1.0, 0.0)), g110);
-    let c001 = vec4f(dot(g001, t - vec3f(0.0, 0.0, 1.0)), g001);
-    let c101 = vec4f(dot(g101, t - vec3f(1.0, 0.0, 1.0)), g101);
-    let c011 = vec4f(dot(g011, t - vec3f(0.0, 1.0, 1.0)), g011);
-    let c111 = vec4f(dot(g111, t - vec3f(1.0, 1.0, 1.0)), g111);
+    let c000 = perlin_corner3(corners.near.x, t);
+    let c100 = perlin_corner3(corners.near.y, t - vec3f(1.0, 0.0, 0.0));
+    let c010 = perlin_corner3(corners.near.z, t - vec3f(0.0, 1.0, 0.0));
+    let c110 = perlin_corner3(corners.near.w, t - vec3f(1.0, 1.0, 0.0));
+    let c001 = perlin_corner3(corners.far.x, t - vec3f(0.0, 0.0, 1.0));
+    let c101 = perlin_corner3(corners.far.y, t - vec3f(1.0, 0.0, 1.0));
+    let c011 = perlin_corner3(corners.far.z, t - vec3f(0.0, 1.0, 1.0));
+    let c111 = perlin_corner3(corners.far.w, t - vec3f(1.0, 1.0, 1.0));
     let w = quintic_fade3(t);
     let dw = quintic_fade3_slope(t);
     let x00 = mix(c000, c100, w.x);
@@ -130,6 +141,12 @@ fn perlin_noise3_grad(p: vec3f, seed: u32) -> vec4f {
         y1.x - y0.x,
     );
     return 0.9645 * (mix(y0, y1, w.z) + vec4f(0.0, blended));
+}
+
+/// The ramp of one lattice point, `d` from it: (value, gradient).
+fn perlin_corner3(hash: u32, d: vec3f) -> vec4f {
+    let gradient = perlin_direction3(hash);
+    return vec4f(dot(gradient, d), gradient);
 }
 
 /// A unit vector from the hash of a lattice point, near enough uniform over the circle (density within 1 %).
