@@ -1,6 +1,6 @@
 //! Where functions are looked at: the same points in every run.
 
-use crate::hash::pcg;
+use crate::hash::{pcg, pcg2d, pcg3d, signed};
 
 /// A stream of uniformly distributed numbers.
 #[derive(Debug, Clone)]
@@ -36,4 +36,17 @@ impl Random {
     pub fn points<const N: usize>(&mut self, count: usize, reach: f32) -> Vec<[f32; N]> {
         (0..count).map(|_| self.point(reach)).collect()
     }
+}
+
+/// Place number `index` of an endless list in the plane, each coordinate in `-reach .. reach`: the tests walk it on the GPU too,
+/// as `(unit_float2(pcg2d(vec2u(index, 77u))) * 2.0 - 1.0) * reach`.
+#[must_use]
+pub fn place2(index: u32, reach: f32) -> [f32; 2] {
+    pcg2d([index, 77]).map(|bits| signed(bits) as f32 * reach)
+}
+
+/// As [`place2`], in space: of `pcg3d(vec3u(index, 77u, 78u))`.
+#[must_use]
+pub fn place3(index: u32, reach: f32) -> [f32; 3] {
+    pcg3d([index, 77, 78]).map(|bits| signed(bits) as f32 * reach)
 }
