@@ -47,7 +47,7 @@ pub(super) struct Instance {
 pub(super) struct Graph {
     pub(super) loaded: Vec<Loaded>,
     pub(super) instances: Vec<Instance>,
-    /// The instances that nobody includes.
+    /// The instances that are in for their own sake.
     pub(super) roots: Vec<usize>,
     by_identity: FxHashMap<Arc<str>, usize>,
     by_prefix: FxHashMap<(usize, Arc<str>), usize>,
@@ -68,8 +68,11 @@ impl Graph {
         errors: &mut Vec<ComposeError>,
     ) -> usize {
         let loaded = self.load(root, cache, files, errors);
-        let root = self.instance(loaded, "".into(), None).0;
+        let (root, is_new) = self.instance(loaded, "".into(), None);
         self.roots.push(root);
+        if !is_new {
+            return root; // another root has led here
+        }
         let mut path = vec![(root, 0)];
         while let Some((instance, next)) = path.last_mut() {
             let (instance, directive) = (*instance, *next);
@@ -114,6 +117,20 @@ impl Graph {
             }
         }
         root
+    }
+
+    /// Goes from `scene` to everything that it includes for the sake of what is declared there: nothing of it comes in but
+    /// what a root includes too.
+    pub(super) fn add_aside(
+        &mut self,
+        scene: Source,
+        library: &Library,
+        cache: &mut Cache,
+        files: &mut Files,
+        errors: &mut Vec<ComposeError>,
+    ) {
+        self.add_root(scene, library, cache, files, errors);
+        self.roots.pop();
     }
 
     fn over_a_limit(&self, depth: usize, at: At) -> Option<ComposeError> {
