@@ -49,6 +49,8 @@ pub(super) struct Graph {
     pub(super) instances: Vec<Instance>,
     /// The instances that are in for their own sake.
     pub(super) roots: Vec<usize>,
+    /// From which instance on they are there for their declarations only.
+    aside_from: Option<usize>,
     by_identity: FxHashMap<Arc<str>, usize>,
     by_prefix: FxHashMap<(usize, Arc<str>), usize>,
     /// What `<path>` has found.
@@ -119,8 +121,8 @@ impl Graph {
         root
     }
 
-    /// Goes from `scene` to everything that it includes for the sake of what is declared there: nothing of it comes in but
-    /// what a root includes too.
+    /// Goes from `scene` to everything that it includes for the sake of what can be set there: nothing of it comes in but
+    /// what a root includes too. To be called after all roots are added.
     pub(super) fn add_aside(
         &mut self,
         scene: Source,
@@ -129,6 +131,7 @@ impl Graph {
         files: &mut Files,
         errors: &mut Vec<ComposeError>,
     ) {
+        self.aside_from = Some(self.instances.len());
         self.add_root(scene, library, cache, files, errors);
         self.roots.pop();
     }
@@ -247,6 +250,9 @@ impl Graph {
     pub(super) fn declarations(&mut self, errors: &mut Vec<ComposeError>) -> Declarations {
         let mut declarations = Declarations::default();
         for index in 0..self.instances.len() {
+            if self.aside_from == Some(index) {
+                declarations.close_to_code();
+            }
             self.declare(index, &mut declarations, errors);
         }
         declarations

@@ -161,15 +161,12 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         Err(error) => return Err(fail([error], files)),
     };
     let scene_name = scene.name.clone();
-    let root = match request.view.as_ref().map(|view| catalogue::view(library, view)) {
-        None => graph.add_root(scene, library, cache, &mut files, &mut errors),
-        Some(Ok(view)) => {
-            let root = graph.add_root(view, library, cache, &mut files, &mut errors);
-            graph.add_aside(scene, library, cache, &mut files, &mut errors);
-            root
-        }
+    let (root, aside) = match request.view.as_ref().map(|view| catalogue::view(library, view)) {
+        None => (scene, None),
+        Some(Ok(view)) => (view, Some(scene)),
         Some(Err(error)) => return Err(fail([error], files)),
     };
+    let root = graph.add_root(root, library, cache, &mut files, &mut errors);
     let has_entry = graph.fragment(root).has_entry_point;
     let mut wrapper_root = None;
     let has_image = graph.loaded.iter().any(|loaded| loaded.fragment.has_main_image);
@@ -181,6 +178,9 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
     }
     if let Some(beside) = &request.beside {
         graph.add_root(beside.clone(), library, cache, &mut files, &mut errors);
+    }
+    if let Some(scene) = aside {
+        graph.add_aside(scene, library, cache, &mut files, &mut errors);
     }
     if !errors.is_empty() {
         return Err(fail(errors, files));

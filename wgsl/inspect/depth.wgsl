@@ -5,7 +5,7 @@
 #include "sight.wgsl"
 
 /// Distance at the dark end of the scale.
-#param inspect.near: f32 = 1.0, range 0.001 .. 1000000, log, unit m
+#param inspect.near: f32 = 10.0, range 0.001 .. 1000000, log, unit m
 /// Distance at the light end of the scale; where it is not beyond `inspect.near`, `terrain.far`.
 #param inspect.far: f32 = 0.0, range 0 .. 10000000, unit m
 

@@ -41,7 +41,7 @@ fn scale_legend(scale: Scale, color: vec3f, frag_coord: vec2f) -> vec3f {
     let bar = vec2f(frame.resolution.x - 10.0 * cell, frame.resolution.x - 4.0 * cell);
     let foot = floor(0.15 * frame.resolution.y);
     let head = floor(0.85 * frame.resolution.y);
-    let panel = vec2f(bar.x - 30.0 * cell, foot - 6.0 * cell);
+    let panel = vec2f(bar.x - 27.0 * cell, foot - 6.0 * cell);
     if frag_coord.x < panel.x || frag_coord.y < panel.y || frag_coord.y > head + 6.0 * cell {
         return color;
     }

@@ -25,13 +25,13 @@ fn main_image(frag_coord: vec2f) -> vec4f {
     for (var i = 0; i < 2; i++) {
         land[i] = terrain_height_filtered(vec2f(x + f32(i) * pixel, camera.position.z + inspect.slice_z), pixel);
     }
-    let slope = (land.y - land.x) / pixel_height; // in pixels up a pixel to the east
+    let outside = max(max(min(land.x, land.y) - height, height - max(land.x, land.y)), 0.0) / pixel_height;
     let above = (height - land.x) / pixel_height;
     let depth = clamp(-above * pixel_height / (heights.y - heights.x), 0.0, 1.0);
-    let ground = mix(vec3f(0.20, 0.15, 0.10), vec3f(0.07, 0.05, 0.04), sqrt(depth));
+    let earth = mix(vec3f(0.20, 0.15, 0.10), vec3f(0.07, 0.05, 0.04), sqrt(depth));
     let air = vec3f(0.55, 0.62, 0.70);
-    var color = mix(ground, air, clamp(above + 0.5, 0.0, 1.0));
-    color = mix(color, vec3f(0.9, 0.32, 0.05), smoothstep(1.8, 0.8, abs(above) / sqrt(1.0 + slope * slope)));
+    var color = mix(earth, air, clamp(above + 0.5, 0.0, 1.0));
+    color = mix(color, vec3f(0.9, 0.32, 0.05), smoothstep(1.5, 0.5, outside));
 
     // Lines at round heights and places, the heights with their numbers.
     let up = scale_step(heights.y - heights.x, 5.0);
