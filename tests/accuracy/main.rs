@@ -10,4 +10,5 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]
 
+mod colour;
 mod harness;

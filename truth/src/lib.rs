@@ -5,4 +5,5 @@
 //! input. Hashes are the same integers on both sides.
 
 pub mod hash;
+pub mod oklab;
 pub mod points;
