@@ -1,5 +1,5 @@
-//! Light is a number: no NaN, no infinity and nothing below zero, wherever a camera stands and looks, for every built-in
-//! preset. Each preset is a test of its own; a new preset is counted by being there.
+//! Light is a number: no NaN, no infinity and nothing below zero, wherever a camera stands and looks, for every
+//! built-in preset. Each preset is a test of its own; a new preset is counted by being there.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]

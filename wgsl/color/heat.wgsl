@@ -4,8 +4,8 @@
 
 /// Linear sRGB for `part`, 0 (dark blue) .. 1 (light yellow), held there: 0 .. 1 in each channel.
 ///
-/// Equal steps of `part` look equal (in Oklab the longest is at most 1.1 times the shortest), and it is still read right
-/// without colours: lightness goes evenly from 0.20 to 0.96 while the hue turns one way, and the chroma keeps within sRGB.
+/// Equal steps of `part` look equal (in Oklab the longest is at most 1.1 times the shortest), and it is still read
+/// right without colours: lightness goes evenly from 0.20 to 0.96 while the hue turns one way, within sRGB.
 fn heat_color(part: f32) -> vec3f {
     let t = clamp(part, 0.0, 1.0);
     let hue = mix(4.8869219, 8.0634217, t); // 280° to 462°

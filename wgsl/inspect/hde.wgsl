@@ -8,7 +8,7 @@
 /// Error at the dark end of the scale.
 #param inspect.hde_low: f32 = 0.001, range 0.000001 .. 1000, log, unit m
 /// Error at the light end of the scale.
-#param inspect.hde_high: f32 = 10.0, range 0.00001 .. 10000, log, unit m
+#param inspect.hde_high: f32 = 100.0, range 0.00001 .. 10000, log, unit m
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
 fn main_image(frag_coord: vec2f) -> vec4f {

@@ -10,7 +10,7 @@
 /// How strongly slopes are shaded, as if light came from the north-west.
 #param inspect.relief: f32 = 0.7, range 0 .. 1
 
-/// How far (pixels) `offset` (pixels from the camera) is from the ray that leaves the camera for `direction` on the map.
+/// How far (pixels) `offset` (pixels from the camera) is from the ray that leaves the camera for the unit `direction`.
 fn heights_from_ray(offset: vec2f, direction: vec2f) -> f32 {
     let along = max(dot(offset, direction), 0.0);
     return length(offset - along * direction);
@@ -33,11 +33,12 @@ fn main_image(frag_coord: vec2f) -> vec4f {
     color *= mix(0.45, 1.0, smoothstep(0.3, 1.1, from_contour / (slope * pixel)));
 
     let half = 0.5 * frame.resolution;
-    let left = camera_ray(vec2f(0.0, half.y), 0.0).direction.xz;
-    let right = camera_ray(vec2f(frame.resolution.x, half.y), 0.0).direction.xz;
-    let edge = min(
-        heights_from_ray(offset, left / max(length(left), 1e-6)), heights_from_ray(offset, right / max(length(right), 1e-6)),
-    );
+    let ground_height = terrain_height(camera.position.xz);
+    var edge = 1e9;
+    for (var i = 0; i < 2; i++) { // the left and the right edge of the camera's picture
+        let side = camera_ray(vec2f(f32(i) * frame.resolution.x, half.y), ground_height).direction.xz;
+        edge = min(edge, heights_from_ray(offset, side / max(length(side), 1e-6)));
+    }
     let mark = max(smoothstep(1.2, 0.4, edge), smoothstep(5.0, 4.0, length(offset)));
     color = mix(color, vec3f(1.0), mark);
     return vec4f(srgb_encode(saturate(scale_legend(scale, color, frag_coord))), 1.0);

@@ -1,5 +1,5 @@
-// Intersection distance error: how far along the ray the march ended from where the ray truly meets the land, as colour.
-// Green: the march found land where there is none, or none where there is.
+// Intersection distance error: how far along the ray the march ended from where the ray truly meets the land, as
+// colour. Green: the march found land where there is none, or none where there is.
 
 #include <color/srgb.wgsl>
 #include "scale.wgsl"
@@ -11,8 +11,8 @@
 /// Error at the light end of the scale.
 #param inspect.ide_high: f32 = 1000.0, range 0.00001 .. 100000, log, unit m
 
-/// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1. Costly: a dense march a pixel. Grey is
-/// where that march ran out of steps, and the truth is not known.
+/// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1. Costly: a dense march a pixel.
+/// Grey is where that march ran out of steps, and the truth is not known.
 fn main_image(frag_coord: vec2f) -> vec4f {
     let scale = Scale(inspect.ide_low, max(inspect.ide_high, 1.001 * inspect.ide_low), true);
     let sight = inspect_sight(frag_coord);

@@ -10,8 +10,8 @@
 /// How far south of the camera the cut is.
 #param inspect.slice_z: f32 = 0.0, range -1000000 .. 1000000, unit m
 
-/// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1. The camera is in the middle; heights
-/// are stretched so that those from `inspect.low` to `inspect.high` fill the picture.
+/// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1. The camera is in the middle;
+/// heights are stretched so that those from `inspect.low` to `inspect.high` fill the picture.
 fn main_image(frag_coord: vec2f) -> vec4f {
     let pixel = extent_pixel();
     let heights = extent_heights();

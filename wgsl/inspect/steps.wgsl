@@ -5,7 +5,7 @@
 #include "sight.wgsl"
 
 /// Steps at the light end of the scale.
-#param inspect.most_steps: f32 = 200.0, range 1 .. 100000, log
+#param inspect.most_steps: f32 = 320.0, range 1 .. 100000, log
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
 fn main_image(frag_coord: vec2f) -> vec4f {

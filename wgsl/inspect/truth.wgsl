@@ -5,7 +5,7 @@
 
 /// Which land is the truth: without the details that are too small for the pixel, as the scene marches it, or with all.
 #option inspect.detail = pixel { pixel, full }
-/// Part of the height above ground that a step of the dense march covers. 0.1 misses nothing less steep than 84 degrees.
+/// Part of the height above ground that a step of the dense march covers: at 0.1 it misses nothing less steep than 84°.
 #param inspect.truth_relax: f32 = 0.1, range 0.001 .. 1
 /// Shortest step of the dense march, in pixels.
 #param inspect.truth_grain: f32 = 0.25, range 0.001 .. 10
