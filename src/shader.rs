@@ -22,6 +22,9 @@ pub fn compose(library: &Library, preset: &Preset, bake: &Bake) -> Result<Shader
 pub struct Compose {
     /// Which entry point a scene gets that has only `main_image`.
     pub stage: Stage,
+    /// The debug view that is drawn in the scene's place: `steps` is the library's `inspect/steps.wgsl`, and
+    /// [`views`](crate::compose::views) names them all. The preset's values count for it as far as it reads them.
+    pub view: Option<String>,
     /// Keep declarations that no entry point reaches.
     pub keep_unused: bool,
     /// What the result looks like.
@@ -77,7 +80,7 @@ impl Compose {
             None => Some(entry_point(self.stage, &self.templates)?),
             Some(_) => None,
         };
-        Ok(Request { preset, wrapper, beside, keep_unused: self.keep_unused })
+        Ok(Request { preset, view: self.view.clone(), wrapper, beside, keep_unused: self.keep_unused })
     }
 }
 

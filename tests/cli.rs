@@ -117,6 +117,12 @@ fn wrong_input_exits_with_1_and_says_why() {
         (&["export", "<noise/perlim.wgsl>"], "did you mean `noise/perlin.wgsl`?"),
         (&["render", "alpine", "-o", "picture.bmp"], "png"),
         (&["render", "<noise/perlin.wgsl>", "-o", "picture.png"], "entry point"),
+        (&["render", "alpine", "--view", "stpes", "-o", "picture.png"], "did you mean `steps`?"),
+        (&["export", "alpine", "--view", "../scene/landscape"], "there is no debug view"),
+        (&["export", "alpine", "--view", "sight"], "there is no debug view"),
+        (&["export", "alpine", "--view", "steps", "--set", "display.exposed=1"], "`display.exposure`?"),
+        (&["export", "alpine", "--view", "steps", "--set", "inspect.most_step=1"], "`inspect.most_steps`?"),
+        (&["export", "alpine", "--set", "inspect.most_steps=1"], "no parameter or option named"),
     ] {
         let output = orogen(arguments);
         assert_eq!(status(&output), 1, "{arguments:?}: {}", err(&output));
@@ -324,7 +330,7 @@ fn a_folder_named_like_a_preset_hides_it_not() {
 
 #[test]
 fn lists_are_a_name_a_tab_and_what_it_is() {
-    for what in ["presets", "scenes", "modules", "options"] {
+    for what in ["presets", "scenes", "views", "modules", "options"] {
         let output = orogen(&["list", what]);
         assert_eq!(status(&output), 0);
         assert!(!out(&output).is_empty(), "{what}");
@@ -334,6 +340,63 @@ fn lists_are_a_name_a_tab_and_what_it_is() {
         }
     }
     assert!(out(&orogen(&["list", "scenes"])).contains("scene/landscape.wgsl\t"));
+    assert!(!out(&orogen(&["list", "scenes"])).contains("inspect/"), "a view is no scene of its own");
+}
+
+fn views() -> Vec<String> {
+    let list = out(&orogen(&["list", "views"]));
+    list.lines().filter_map(|line| Some(line.split_once('\t')?.0.to_owned())).collect()
+}
+
+#[test]
+fn every_view_suits_every_preset() {
+    let presets = out(&orogen(&["list", "presets"]));
+    let views = views();
+    assert!(
+        views.iter().any(|view| view == "steps") && !views.iter().any(|view| view == "sight"),
+        "{views:?}"
+    );
+    for preset in presets.lines().filter_map(|line| line.split('\t').next()) {
+        for view in &views {
+            let output = orogen(&["export", preset, "--view", view, "--live", "*"]);
+            assert_eq!(status(&output), 0, "{preset} {view}: {}", err(&output));
+            let head = format!("// {preset} (view {view})");
+            assert!(out(&output).starts_with(&head), "{preset} {view}: {}", out(&output));
+        }
+    }
+}
+
+#[test]
+fn a_view_has_parameters_of_its_own_beside_the_scene_s() {
+    let table = out(&orogen(&["params", "alpine", "--view", "slice", "--set", "inspect.slice_z=-50"]));
+    let line = table.lines().find(|line| line.starts_with("inspect.slice_z ")).expect("it is the view's");
+    assert!(line.contains(" -50 "), "{line}");
+    assert!(table.lines().any(|line| line.starts_with("display.exposure ")), "what the scene has can be set");
+    assert!(!out(&orogen(&["params", "alpine"])).contains("inspect."), "a scene has none of a view's");
+}
+
+#[test]
+fn a_view_is_a_picture() {
+    let folder = folder();
+    let mut command = command(&["render", "dunes", "--view", "normals", "--size", "32x18"]);
+    let output = command.current_dir(folder.path()).output().expect("it starts");
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    let picture = image::open(folder.path().join("dunes_normals.png")).expect("it has the view in its name");
+    let (sky, ground) = (picture.to_rgb8().get_pixel(16, 1).0, picture.to_rgb8().get_pixel(16, 17).0);
+    assert!(sky.iter().all(|value| (62..=72).contains(value)), "nothing is grey: {sky:?}");
+    assert!(ground[1] > 200, "ground faces up: {ground:?}");
+}
+
+#[test]
+fn a_view_of_ones_own_is_a_file_in_a_folder_over_the_library() {
+    let folder = folder();
+    let text = "// Where it is high.\n#include <terrain/height.wgsl>\n\
+                fn main_image(p: vec2f) -> vec4f { return vec4f(step(900.0, terrain_height(p))); }\n";
+    put(&folder, "inspect/high.wgsl", text);
+    let dir = folder.path().display().to_string();
+    let output = orogen(&["export", "alpine", "--view", "high", "-I", &dir]);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    assert!(out(&orogen(&["list", "views", "-I", &dir])).contains("high\tWhere it is high.\n"));
 }
 
 #[test]

@@ -373,6 +373,10 @@ fn files_read_back_as_what_was_drawn() {
     assert_eq!(read.as_raw().as_slice(), picture.pixels.as_flattened());
     let png = encode(&picture, Format::Png).expect("it can be encoded");
     assert_eq!(image(&png), to_srgb8(&picture));
+    let jpeg = encode(&picture, Format::Jpeg).expect("it can be encoded");
+    assert_eq!(jpeg, encode(&picture, Format::Jpeg).expect("it can be encoded"), "the same bytes every time");
+    let read = image::load_from_memory(&jpeg).expect("it is a JPEG");
+    assert_eq!((read.width(), read.height(), read.color().has_alpha()), (4, 3, false));
     assert_eq!(png, encode(&picture, Format::Png).expect("it can be encoded"), "the same bytes every time");
 }
 
@@ -380,7 +384,21 @@ fn files_read_back_as_what_was_drawn() {
 fn the_name_of_a_file_says_its_format() {
     assert_eq!(Format::of("a/b.PNG").ok(), Some(Format::Png));
     assert_eq!(Format::of("b.exr").ok(), Some(Format::Exr));
-    expect_text("format.txt", &Format::of("out/picture.jpg").expect_err("JPEG is not written").render(false));
+    assert_eq!(["c.jpg", "c.JPEG"].map(|name| Format::of(name).ok()), [Some(Format::Jpeg); 2]);
+    expect_text("format.txt", &Format::of("out/picture.bmp").expect_err("BMP is not written").render(false));
+}
+
+#[test]
+fn a_jpeg_looks_like_the_picture() {
+    // A ramp of colours: where JPEG is at its best, and a swapped channel would show.
+    let at = |i: usize| (i % 64) as f32 / 63.0;
+    let pixels = (0..64 * 64).map(|i| [at(i), at(i / 64), 0.2, 1.0]).collect();
+    let picture = Picture { width: 64, height: 64, pixels };
+    let jpeg = encode(&picture, Format::Jpeg).expect("it can be encoded");
+    let (read, exact) = (image(&jpeg), to_srgb8(&picture));
+    let error =
+        read.iter().zip(&exact).map(|(a, b)| f64::from(a.abs_diff(*b))).sum::<f64>() / exact.len() as f64;
+    assert!(error < 3.0, "off by {error} of 255 on average");
 }
 
 // ---- what cannot be drawn ----

@@ -10,6 +10,7 @@ Examples:
   orogen export alpine -o alpine.wgsl                  a standalone shader
   orogen export alpine --target shadertoy -o alpine.glsl
   orogen render alpine --set sun.elevation=6 -o dusk.png
+  orogen render alpine --view steps -o steps.png       a debug view: `orogen list views` names them
   orogen params alpine                                 what can be set, and to what
   orogen export alpine --live 'sun.*' --target json    where a host finds the live parameters
 
@@ -72,10 +73,19 @@ pub(super) struct Baking {
 }
 
 #[derive(Args)]
+pub(super) struct Viewing {
+    /// A debug view in the place of the picture: steps, normals, …; `orogen list views` names them all
+    #[arg(long, value_name = "NAME")]
+    pub(super) view: Option<String>,
+}
+
+#[derive(Args)]
 pub(super) struct Export {
     /// Built-in preset, .json file, .wgsl file, or '<module>' of the library
     #[arg(value_name = "PRESET|FILE")]
     pub(super) preset: String,
+    #[command(flatten)]
+    pub(super) viewing: Viewing,
     /// What to write
     #[arg(long, value_enum, default_value = "wgsl")]
     pub(super) target: Target,
@@ -144,6 +154,8 @@ pub(super) struct Render {
     /// Built-in preset, .json file or .wgsl file
     #[arg(value_name = "PRESET|FILE")]
     pub(super) preset: String,
+    #[command(flatten)]
+    pub(super) viewing: Viewing,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
     pub(super) size: (u32, u32),
@@ -164,7 +176,8 @@ pub(super) struct Render {
     /// Part of the GPU adapter's name; WGPU_ADAPTER_NAME does the same
     #[arg(long, value_name = "NAME")]
     pub(super) adapter: Option<String>,
-    /// Where to write: .png (8 bits, sRGB) or .exr (32-bit floats, linear); NAME.png unless told
+    /// Where to write: .png (8 bits, sRGB), .jpg (the same, smaller, not exact) or .exr (32-bit floats, linear);
+    /// NAME.png unless told, of a view NAME_VIEW.png
     #[arg(short, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
 }
@@ -174,6 +187,8 @@ pub(super) struct Params {
     /// Built-in preset, .json file, .wgsl file, or '<module>' of the library
     #[arg(value_name = "PRESET|FILE")]
     pub(super) preset: String,
+    #[command(flatten)]
+    pub(super) viewing: Viewing,
     /// How to write it
     #[arg(long, value_enum, default_value = "table")]
     pub(super) format: ParamsFormat,
@@ -204,6 +219,8 @@ pub(super) enum Listing {
     Presets,
     /// Fragments that are whole pictures
     Scenes,
+    /// Debug views of a preset's land, for --view
+    Views,
     /// All fragments
     Modules,
     /// What a preset can choose in any of them

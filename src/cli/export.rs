@@ -37,6 +37,7 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     composer.stage =
         target.stage(stage).map_err(|error| Failure::Usage(error.diagnostics()[0].message.clone()))?;
     composer.keep_unused = args.keep_unused;
+    composer.view.clone_from(&args.viewing.view);
     let shader = composer.run(&library, &preset, &target.bake(input::bake(&args.baking)))?;
     let bytes = export::export(&shader, target, &composer.templates)?;
     if !args.baking.overrides.is_empty() && !common.quiet && !has_overrides(target) {

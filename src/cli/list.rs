@@ -1,7 +1,7 @@
 //! `orogen list`
 
 use orogen::Preset;
-use orogen::compose::catalogue;
+use orogen::compose::{catalogue, views};
 use orogen::source::preset_names;
 
 use super::args::{Common, List, Listing};
@@ -17,6 +17,7 @@ pub(super) fn run(args: &List, common: &Common) -> Outcome {
             .collect::<Result<Vec<_>, orogen::Error>>()?,
         Listing::Modules => catalogue(&library).modules,
         Listing::Scenes => catalogue(&library).scenes,
+        Listing::Views => views(&library),
         Listing::Options => catalogue(&library).options,
     };
     let lines: String = rows.iter().map(|(name, about)| format!("{name}\t{about}\n")).collect();

@@ -9,7 +9,9 @@ use super::{input, output};
 pub(super) fn run(args: &Params, common: &Common) -> Outcome {
     let library = input::library(common)?;
     let preset = input::preset(&args.preset, common)?;
-    let survey = input::composer(common)?.survey(&library, &preset)?;
+    let mut composer = input::composer(common)?;
+    composer.view.clone_from(&args.viewing.view);
+    let survey = composer.survey(&library, &preset)?;
     let (declarations, settings) = (&survey.declarations, &survey.settings);
     let text = match args.format {
         ParamsFormat::Table => listing::table(declarations, settings),

@@ -14,9 +14,13 @@ use super::{input, made_of, output, progress};
 pub(super) fn run(args: &Render, common: &Common) -> Outcome {
     let library = input::library(common)?;
     let mut preset = input::preset(&args.preset, common)?;
-    let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{}.png", preset.name())));
+    let path = args.output.clone().unwrap_or_else(|| match &args.viewing.view {
+        None => PathBuf::from(format!("{}.png", preset.name())),
+        Some(view) => PathBuf::from(format!("{}_{view}.png", preset.name())),
+    });
     let format = render::Format::of(&path)?;
     let mut composer = input::composer(common)?;
+    composer.view.clone_from(&args.viewing.view);
     if format == render::Format::Exr {
         linear_display(&mut composer, &library, &mut preset, common)?;
     }

@@ -1,7 +1,9 @@
 //! What a library has: its fragments, its scenes, the options that they declare.
 
 use super::cache::Cache;
-use crate::source::Library;
+use super::error::ComposeError;
+use crate::diagnostic::nearest;
+use crate::source::{Library, Source};
 use crate::syntax::DirectiveKind;
 
 /// Names, each with one line about it; sorted.
@@ -9,8 +11,10 @@ use crate::syntax::DirectiveKind;
 pub struct Catalogue {
     /// All fragments, by path.
     pub modules: Vec<(String, String)>,
-    /// The fragments that are whole pictures: those with `fn main_image`.
+    /// The fragments that are whole pictures: those with `fn main_image`, but for the debug views.
     pub scenes: Vec<(String, String)>,
+    /// The debug views of a preset's scene, by the names that [`Compose::view`](crate::Compose::view) takes.
+    pub views: Vec<(String, String)>,
     /// The options that any of them declares, each with its choices.
     pub options: Vec<(String, String)>,
 }
@@ -27,7 +31,10 @@ pub fn catalogue(library: &Library) -> Catalogue {
         let fragment = cache.fragment(&source);
         let about = about(&source.text);
         if fragment.has_main_image {
-            all.scenes.push((path.clone(), about.clone()));
+            match view_name(&path) {
+                Some(name) => all.views.push((name.to_owned(), about.clone())),
+                None => all.scenes.push((path.clone(), about.clone())),
+            }
         }
         all.modules.push((path, about));
         for placed in &fragment.directives {
@@ -41,6 +48,45 @@ pub fn catalogue(library: &Library) -> Catalogue {
     all.options.sort();
     all.options.dedup();
     all
+}
+
+/// The folder of the library that the debug views lie in: whole pictures, and what they have in common.
+const VIEWS: &str = "inspect/";
+
+/// `inspect/steps.wgsl` → `steps`
+fn view_name(path: &str) -> Option<&str> {
+    let name = path.strip_prefix(VIEWS)?.strip_suffix(".wgsl")?;
+    (!name.contains('/')).then_some(name)
+}
+
+/// The debug views of `library`, each with one line about it; sorted.
+pub fn views(library: &Library) -> Vec<(String, String)> {
+    let mut cache = Cache::default();
+    let mut views = Vec::new();
+    for path in library.modules() {
+        if let Some(name) = view_name(&path)
+            && let Ok(source) = library.find(&path)
+            && cache.fragment(&source).has_main_image
+        {
+            views.push((name.to_owned(), about(&source.text)));
+        }
+    }
+    views
+}
+
+/// The debug view called `name`.
+pub(super) fn view(library: &Library, name: &str) -> Result<Source, ComposeError> {
+    let views = views(library);
+    let names = || views.iter().map(|(name, _)| name.as_str());
+    let unknown = || ComposeError::UnknownView {
+        name: name.to_owned(),
+        nearest: nearest(name, names()),
+        views: names().map(str::to_owned).collect(),
+    };
+    if !names().any(|known| known == name) {
+        return Err(unknown());
+    }
+    library.find(&format!("{VIEWS}{name}.wgsl")).map_err(|_| unknown())
 }
 
 /// The comment at the top of a fragment, its first paragraph on one line.

@@ -177,7 +177,8 @@ fn check_locals(
         let name = active.module.name(active.text, *symbol);
         let hidden = hides[*symbol as usize].get_or_insert_with(|| {
             let renamed = &names.graph.instances[active.instance].renamed;
-            names.declarations.has_group(name) || renamed.as_ref().is_some_and(|(from, _)| from == name)
+            names.declarations.is_group_in_code(name)
+                || renamed.as_ref().is_some_and(|(from, _)| from == name)
         });
         if *hidden {
             let what = format!("the group `{name}` of parameters");

@@ -1,6 +1,6 @@
 //! What can go wrong while fragments are put together, and how each is told.
 
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, choices};
 use crate::source::{FileId, PathError, SourceError, Span};
 use crate::syntax::{DirectiveError, nearest_directive};
 
@@ -112,6 +112,16 @@ pub enum ComposeError {
     /// `OR0306`
     #[error("the preset names no scene")]
     NoScene,
+    /// `OR0307`
+    #[error("there is no debug view named `{name}`")]
+    UnknownView {
+        /// What was asked for.
+        name: String,
+        /// The name that was probably meant.
+        nearest: Option<String>,
+        /// Those that there are.
+        views: Vec<String>,
+    },
     /// `OR0401`
     #[error("`{name}` is declared twice")]
     Duplicate {
@@ -336,6 +346,8 @@ impl From<ComposeError> for Diagnostic {
             E::TooLarge { at, .. } => d("OR0305", at, "too much with this one"),
             E::NoScene => Diagnostic::error("OR0306", message)
                 .help(Some("add `\"scene\": \"scene/landscape.wgsl\"` to it, or to what it extends".into())),
+            E::UnknownView { nearest, views, .. } => Diagnostic::error("OR0307", message)
+                .help(did_you_mean(nearest).or_else(|| Some(one_of_the_views(&views)))),
             E::Duplicate { at, first, help, .. } => {
                 also(d("OR0401", at, "declared again"), first, "declared here first").help(Some(help.into()))
             }
@@ -377,6 +389,13 @@ impl From<ComposeError> for Diagnostic {
             E::Reserved { at, .. } => d("OR0413", at, "reserved").help(Some("give it another name".into())),
         }
     }
+}
+
+fn one_of_the_views(views: &[String]) -> String {
+    if views.is_empty() {
+        return "a view is a fragment of the library, `inspect/NAME.wgsl`, and this library has none".into();
+    }
+    format!("choose {}", choices(views.iter().map(String::as_str)))
 }
 
 fn directive(file: FileId, error: DirectiveError) -> Diagnostic {

@@ -47,8 +47,10 @@ pub(super) struct Instance {
 pub(super) struct Graph {
     pub(super) loaded: Vec<Loaded>,
     pub(super) instances: Vec<Instance>,
-    /// The instances that nobody includes.
+    /// The instances that are in for their own sake.
     pub(super) roots: Vec<usize>,
+    /// From which instance on they are there for their declarations only.
+    aside_from: Option<usize>,
     by_identity: FxHashMap<Arc<str>, usize>,
     by_prefix: FxHashMap<(usize, Arc<str>), usize>,
     /// What `<path>` has found.
@@ -68,8 +70,11 @@ impl Graph {
         errors: &mut Vec<ComposeError>,
     ) -> usize {
         let loaded = self.load(root, cache, files, errors);
-        let root = self.instance(loaded, "".into(), None).0;
+        let (root, is_new) = self.instance(loaded, "".into(), None);
         self.roots.push(root);
+        if !is_new {
+            return root; // another root has led here
+        }
         let mut path = vec![(root, 0)];
         while let Some((instance, next)) = path.last_mut() {
             let (instance, directive) = (*instance, *next);
@@ -114,6 +119,21 @@ impl Graph {
             }
         }
         root
+    }
+
+    /// Goes from `scene` to everything that it includes for the sake of what can be set there: nothing of it comes in but
+    /// what a root includes too. To be called after all roots are added.
+    pub(super) fn add_aside(
+        &mut self,
+        scene: Source,
+        library: &Library,
+        cache: &mut Cache,
+        files: &mut Files,
+        errors: &mut Vec<ComposeError>,
+    ) {
+        self.aside_from = Some(self.instances.len());
+        self.add_root(scene, library, cache, files, errors);
+        self.roots.pop();
     }
 
     fn over_a_limit(&self, depth: usize, at: At) -> Option<ComposeError> {
@@ -230,6 +250,9 @@ impl Graph {
     pub(super) fn declarations(&mut self, errors: &mut Vec<ComposeError>) -> Declarations {
         let mut declarations = Declarations::default();
         for index in 0..self.instances.len() {
+            if self.aside_from == Some(index) {
+                declarations.close_to_code();
+            }
             self.declare(index, &mut declarations, errors);
         }
         declarations

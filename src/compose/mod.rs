@@ -19,7 +19,7 @@ mod names;
 mod shake;
 
 pub use cache::Cache;
-pub use catalogue::{Catalogue, catalogue};
+pub use catalogue::{Catalogue, catalogue, views};
 pub use emit::{Hoisted, Piece};
 pub use error::{At, ComposeError};
 pub use names::UNIFORM;
@@ -120,6 +120,9 @@ impl Composition {
 pub struct Request<'a> {
     /// Values and scene.
     pub preset: &'a Preset,
+    /// The debug view that is composed in the scene's place. The preset is held against the scene's declarations and the
+    /// view's.
+    pub view: Option<String>,
     /// The entry point of a scene that has `main_image` and no entry point of its own.
     pub wrapper: Option<Source>,
     /// A fragment that is put in beside the scene.
@@ -153,9 +156,15 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
     let mut files = request.preset.files.clone();
     let mut errors = Vec::new();
     let mut graph = Graph::default();
-    let root = match root(library, request.preset) {
-        Ok(root) => root,
+    let scene = match root(library, request.preset) {
+        Ok(scene) => scene,
         Err(error) => return Err(fail([error], files)),
+    };
+    let scene_name = scene.name.clone();
+    let (root, aside) = match request.view.as_ref().map(|view| catalogue::view(library, view)) {
+        None => (scene, None),
+        Some(Ok(view)) => (view, Some(scene)),
+        Some(Err(error)) => return Err(fail([error], files)),
     };
     let root = graph.add_root(root, library, cache, &mut files, &mut errors);
     let has_entry = graph.fragment(root).has_entry_point;
@@ -170,6 +179,9 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
     if let Some(beside) = &request.beside {
         graph.add_root(beside.clone(), library, cache, &mut files, &mut errors);
     }
+    if let Some(scene) = aside {
+        graph.add_aside(scene, library, cache, &mut files, &mut errors);
+    }
     if !errors.is_empty() {
         return Err(fail(errors, files));
     }
@@ -181,9 +193,19 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         Ok(settings) => settings,
         Err(errors) => return Err(Error::new(errors.into_iter().map(Diagnostic::from).collect(), files)),
     };
-    let name = request.preset.name().to_owned();
-    let scene = files.get(graph.file(root)).name.clone();
-    Ok(Survey { name, scene, files: files.into(), declarations, settings, graph, wrapper: wrapper_root })
+    let preset = request.preset.name();
+    Ok(Survey {
+        name: request
+            .view
+            .as_ref()
+            .map_or_else(|| preset.to_owned(), |view| format!("{preset} (view {view})")),
+        scene: scene_name,
+        files: files.into(),
+        declarations,
+        settings,
+        graph,
+        wrapper: wrapper_root,
+    })
 }
 
 /// Puts a scene together.

@@ -133,8 +133,9 @@ impl<'a> Names<'a> {
         const HELP: &str = "the host sees the parameter under this name; rename one of the two";
         const IN_GROUP: &str =
             "parameters are read as `group.name`, and this is the name of a group; rename one";
-        let in_group = self.declarations.parameters.iter().map(|p| (&p.decl.key.group, (p.file, p.span)));
-        let also = self.declarations.options.iter().map(|o| (&o.decl.key.group, (o.file, o.span)));
+        let (parameters, options) = self.declarations.in_code();
+        let in_group = parameters.iter().map(|p| (&p.decl.key.group, (p.file, p.span)));
+        let also = options.iter().map(|o| (&o.decl.key.group, (o.file, o.span)));
         let mut groups = FxHashSet::default();
         for (group, first) in in_group.chain(also) {
             if groups.insert(group)
@@ -145,7 +146,7 @@ impl<'a> Names<'a> {
             }
         }
         let mut flat: FxHashMap<String, At> = FxHashMap::default();
-        let parameters = self.declarations.parameters.iter().flat_map(|p| {
+        let parameters = parameters.iter().flat_map(|p| {
             let flat = p.decl.key.flat();
             // As an override, a vector is one scalar a component.
             let parts = ["_x", "_y", "_z", "_w"].into_iter().take(p.decl.ty.components());
@@ -153,7 +154,7 @@ impl<'a> Names<'a> {
                 parts.filter(|_| p.decl.ty.components() > 1).map(|part| format!("{flat}{part}")).collect();
             std::iter::once(flat).chain(parts).map(|name| (name, (p.file, p.span)))
         });
-        let options = self.declarations.options.iter().map(|o| (o.decl.key.flat(), (o.file, o.span)));
+        let options = options.iter().map(|o| (o.decl.key.flat(), (o.file, o.span)));
         for (name, at) in parameters.chain(options) {
             if let Some(global) = self.table.get(name.as_str()) {
                 let other = self.place(*global);
@@ -398,9 +399,9 @@ impl<'a> Names<'a> {
             return Meaning::Global(*global);
         }
         let renamed = &self.graph.instances[instance].renamed;
-        if self.declarations.has_group(name)
+        if self.declarations.is_group_in_code(name)
             || renamed.as_ref().is_some_and(|(from, _)| from == name)
-            || !prefix.is_empty() && self.declarations.has_group(&format!("{prefix}_{name}"))
+            || !prefix.is_empty() && self.declarations.is_group_in_code(&format!("{prefix}_{name}"))
         {
             return Meaning::Group;
         }

@@ -37,7 +37,10 @@ pub struct Declarations {
     /// The options.
     pub options: Vec<Declared<OptionDecl>>,
     by_key: FxHashMap<String, Knob>,
-    groups: FxHashMap<String, ()>,
+    /// Whether code can read from the group, or only presets set something in it.
+    groups: FxHashMap<String, bool>,
+    /// How many parameters and options code can read; all, where nothing is said.
+    in_code: Option<(usize, usize)>,
 }
 
 impl Declarations {
@@ -63,9 +66,25 @@ impl Declarations {
         }
         self.by_key.insert(key.to_string(), knob);
         if !key.group.is_empty() {
-            self.groups.insert(key.group.clone(), ());
+            self.groups.entry(key.group.clone()).or_insert(self.in_code.is_none());
         }
         Ok(())
+    }
+
+    /// What is added from here on can be set, but is out of sight of the code.
+    pub(crate) fn close_to_code(&mut self) {
+        self.in_code = Some((self.parameters.len(), self.options.len()));
+    }
+
+    /// The parameters and options that code can read.
+    pub(crate) fn in_code(&self) -> (&[Declared<ParamDecl>], &[Declared<OptionDecl>]) {
+        let (parameters, options) = self.in_code.unwrap_or((self.parameters.len(), self.options.len()));
+        (&self.parameters[..parameters], &self.options[..options])
+    }
+
+    /// Whether `name` is a group that code can read from.
+    pub(crate) fn is_group_in_code(&self, name: &str) -> bool {
+        self.groups.get(name).copied().unwrap_or_default()
     }
 
     /// Where `knob` is declared.

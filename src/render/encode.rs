@@ -1,4 +1,4 @@
-//! [`Picture`] → the bytes of a file: PNG (8-bit sRGB, dithered) or EXR (linear light, 32-bit float).
+//! [`Picture`] → the bytes of a file: PNG or JPEG (8-bit sRGB, dithered), or EXR (linear light, 32-bit float).
 
 use std::io::Cursor;
 use std::path::Path;
@@ -9,11 +9,16 @@ use super::error::RenderError;
 use super::picture::{Picture, srgb_encode};
 use crate::diagnostic::Error;
 
+/// 1 to 100. At 90 nothing of a landscape is seen to be missing, in a tenth of the bytes of a PNG.
+const JPEG_QUALITY: u8 = 90;
+
 /// A format of picture files.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// 8-bit sRGB, dithered.
     Png,
+    /// 8-bit sRGB without alpha, dithered: smaller than PNG, and not exact.
+    Jpeg,
     /// Linear light, 32-bit float.
     Exr,
 }
@@ -22,11 +27,12 @@ impl Format {
     /// The format that a file's name asks for.
     ///
     /// # Errors
-    /// Where the name ends neither in `.png` nor in `.exr`.
+    /// Where the name ends in none of `.png`, `.jpg`, `.jpeg` and `.exr`.
     pub fn of(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         match path.extension().and_then(|end| end.to_str()).map(str::to_ascii_lowercase).as_deref() {
             Some("png") => Ok(Self::Png),
+            Some("jpg" | "jpeg") => Ok(Self::Jpeg),
             Some("exr") => Ok(Self::Exr),
             _ => Err(RenderError::Format { file: path.display().to_string() }.into()),
         }
@@ -42,12 +48,11 @@ pub fn encode(picture: &Picture, format: Format) -> Result<Vec<u8>, Error> {
     let written = match format {
         Format::Png => {
             let opaque = picture.pixels.iter().all(|pixel| pixel[3] >= 1.0);
-            let mut bytes = to_srgb8(picture);
-            let mut kind = ExtendedColorType::Rgba8;
-            if opaque {
-                bytes = bytes.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
-                kind = ExtendedColorType::Rgb8;
-            }
+            let (bytes, kind) = if opaque {
+                (without_alpha(&to_srgb8(picture)), ExtendedColorType::Rgb8)
+            } else {
+                (to_srgb8(picture), ExtendedColorType::Rgba8)
+            };
             image::codecs::png::PngEncoder::new(&mut file).write_image(
                 &bytes,
                 picture.width,
@@ -55,6 +60,13 @@ pub fn encode(picture: &Picture, format: Format) -> Result<Vec<u8>, Error> {
                 kind,
             )
         }
+        Format::Jpeg => image::codecs::jpeg::JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY)
+            .write_image(
+                &without_alpha(&to_srgb8(picture)),
+                picture.width,
+                picture.height,
+                ExtendedColorType::Rgb8,
+            ),
         Format::Exr => {
             let bytes: Vec<u8> =
                 picture.pixels.iter().flatten().flat_map(|value| value.to_ne_bytes()).collect();
@@ -69,6 +81,10 @@ pub fn encode(picture: &Picture, format: Format) -> Result<Vec<u8>, Error> {
     };
     written.map_err(|why| RenderError::Encode(why.to_string()))?;
     Ok(file.into_inner())
+}
+
+fn without_alpha(bytes: &[u8]) -> Vec<u8> {
+    bytes.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
 }
 
 /// Red, green, blue and alpha of each pixel, sRGB-encoded, 8 bits each, dithered: no band shows in a sky, and the mean of

@@ -141,7 +141,7 @@ impl From<RenderError> for Diagnostic {
                 "OR0911",
                 "without a host there are only the parameters; export the shader and bind the rest in your own renderer",
             ),
-            E::Format { .. } => d("OR0912", "end its name in `.png` (8-bit sRGB) or `.exr` (linear light, 32-bit float)"),
+            E::Format { .. } => d("OR0912", "end its name in `.png` or `.jpg` (8-bit sRGB), or in `.exr` (linear light, 32-bit float)"),
             E::Encode(_) => d("OR0913", "a smaller picture may do"),
         }
     }

@@ -1,4 +1,4 @@
-//! Pictures and numbers from a GPU: [`Shader`](crate::Shader) → [`Picture`] → PNG or EXR, and one expression over many
+//! Pictures and numbers from a GPU: [`Shader`](crate::Shader) → [`Picture`] → PNG, JPEG or EXR, and one expression over many
 //! points → [`Table`](sample::Table).
 //!
 //! Headless: nothing here opens a window. Every call waits for the GPU, runs on a thread of its own with a deep stack, and

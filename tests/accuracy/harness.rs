@@ -122,6 +122,7 @@ impl Report {
         }
         let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("accuracy");
         fs::create_dir_all(&folder).unwrap();
+        fs::write(folder.join("adapter"), GPU.name()).unwrap();
         fs::write(folder.join(format!("{}.txt", self.test)), text).unwrap();
         assert!(self.broken.is_empty(), "these break their bounds:\n{}", self.broken.join("\n"));
     }

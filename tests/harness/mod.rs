@@ -12,6 +12,7 @@
 //! library: standard             Orogen's own fragments lie below those of the case
 //! root: text                    `input.wgsl` is a text of the host's, in no folder
 //! preset: alpine                a built-in preset
+//! view: steps                   a debug view in the scene's place: the library's `inspect/steps.wgsl`
 //! ```
 //!
 //! A folder `overlay/` is laid over the library, a folder `templates/` over Orogen's templates. With `UPDATE=1` in the
@@ -118,6 +119,7 @@ impl Case {
         let keep_unused = self.is("keep_unused");
         let mut compose = Compose::default();
         (compose.keep_unused, compose.templates) = (keep_unused, templates);
+        compose.view = self.setting("view").first().cloned();
         compose.run(library, &self.preset()?, &self.bake())
     }
 

@@ -8,4 +8,5 @@ pub mod erosion;
 pub mod fractal;
 pub mod hash;
 pub mod noise;
+pub mod oklab;
 pub mod points;

@@ -1,4 +1,4 @@
-//! What is judged: which files `orogen` is to write, of each preset and each module, and who judges them.
+//! What is judged: which files `orogen` is to write, of each preset, view and module, and who judges them.
 
 use std::path::{Path, PathBuf};
 
@@ -52,6 +52,19 @@ pub(crate) fn of_preset(preset: &str) -> Vec<Case> {
     }
     cases.push(case(Judge::GlslangInShadertoy, "shadertoy.frag", &[&["--target", "shadertoy"]]));
     cases
+}
+
+/// What is judged of a debug view: that it fits a preset, as constants and live.
+pub(crate) fn of_view(view: &str, preset: &str) -> Vec<Case> {
+    let case = |(baking, flags): (&str, &[&str])| {
+        let words = ["export", preset, "--view", view].into_iter().chain(flags.iter().copied());
+        Case {
+            judge: Judge::Tint,
+            file: format!("{preset}_{view}.fragment.{baking}.wgsl").into(),
+            export: words.map(str::to_owned).collect(),
+        }
+    };
+    [CONST, UNIFORM].map(case).into()
 }
 
 /// A module of the library, judged on its own. A generic one is judged as an instance whose slots return zero; the file
@@ -116,8 +129,16 @@ mod tests {
     }
 
     #[test]
+    fn a_view_is_judged_with_a_preset_around_it() {
+        let cases = of_view("steps", "alpine");
+        assert_eq!(cases[0].export, ["export", "alpine", "--view", "steps"]);
+        assert_eq!(cases[1].export[4..], ["--live", "*"]);
+    }
+
+    #[test]
     fn every_file_has_a_name_of_its_own() {
-        let cases = of_preset("alpine");
+        let views = ["steps", "depth"].iter().flat_map(|view| of_view(view, "alpine"));
+        let cases: Vec<Case> = of_preset("alpine").into_iter().chain(views).collect();
         let mut files: Vec<&PathBuf> = cases.iter().map(|case| &case.file).collect();
         files.sort();
         files.dedup();

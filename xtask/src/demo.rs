@@ -44,7 +44,7 @@ What to try next:
 }
 
 /// Sees to it that `orogen` finds a GPU adapter. Any adapter will do, lavapipe is for machines that have none.
-fn see_to_adapter(install: Install) -> Outcome {
+pub(crate) fn see_to_adapter(install: Install) -> Outcome {
     println!("\nLooking for a GPU adapter…");
     if adapter_answers()? {
         return Ok(());

@@ -1,4 +1,4 @@
-//! The judges: other people's compilers, on everything that `orogen` writes for its presets and modules.
+//! The judges: other people's compilers, on everything that `orogen` writes for its presets, views and modules.
 //!
 //! Tint reads the WGSL, glslangValidator the GLSL, spirv-val the SPIR-V. That naga finds a file good is not enough: it
 //! accepts WGSL that browsers refuse, and writes GLSL that is none.
@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::cases::{Case, Judge, of_module, of_preset};
+use crate::cases::{Case, Judge, of_module, of_preset, of_view};
 use crate::install::{self, Install};
 use crate::run::{
     Failure, Outcome, capture, cargo, command, create_folder, orogen, read, run, shown, target, write,
@@ -14,6 +14,9 @@ use crate::run::{
 
 /// What Shadertoy puts before a shader. Its names are taken: a shader that declares one does not compile there.
 const SHADERTOY_PAGE: &str = include_str!("shadertoy.frag");
+
+/// The preset that all views are judged with.
+const VIEWED: &str = "alpine";
 
 /// Gets the judges and `orogen`, then has everything judged.
 pub(crate) fn judge_alone(install: Install) -> Outcome {
@@ -28,14 +31,21 @@ pub(crate) fn judge() -> Outcome {
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(|cause| Failure::File { path: folder.clone(), cause })?;
     }
-    let (presets, modules) = (list("presets")?, list("modules")?);
+    let (presets, views, modules) = (list("presets")?, list("views")?, list("modules")?);
     let mut cases: Vec<Case> = presets.iter().flat_map(|preset| of_preset(preset)).collect();
+    cases.extend(views.iter().flat_map(|view| of_view(view, VIEWED)));
     for module in &modules {
         cases.push(of_module(module, &folder.join("hosts"))?);
     }
 
     let judged = folder.join("judged");
-    println!("{} presets and {} modules: {} files", presets.len(), modules.len(), cases.len());
+    println!(
+        "{} presets, {} views and {} modules: {} files",
+        presets.len(),
+        views.len(),
+        modules.len(),
+        cases.len()
+    );
     let mut refused = Vec::new();
     for case in &cases {
         if let Err(failure) = export(case, &judged).and_then(|()| verdict(case, &judged)) {

@@ -1,4 +1,4 @@
-//! Orogen's chores: `cargo xtask demo` and `cargo xtask test`.
+//! Orogen's chores: `cargo xtask demo`, `cargo xtask test` and the smaller ones.
 //!
 //! Every chore says each command before it runs it, so that whoever wants to can type them by hand.
 
@@ -8,8 +8,10 @@
     reason = "a chore's job is to tell a person what it does"
 )]
 
+mod accuracy;
 mod cases;
 mod demo;
+mod gallery;
 mod install;
 mod judges;
 mod run;
@@ -23,13 +25,16 @@ use run::Outcome;
 const HELP: &str = "\
 Orogen's chores
 
-usage: cargo xtask <demo|test|judge> [--no-install]
+usage: cargo xtask <demo|test|judge|accuracy|gallery [NAME…]> [--no-install]
 
-  demo    builds Orogen and makes out/alpine.wgsl (a shader to put into your own program),
-          out/alpine.shadertoy.glsl (a shader to paste into Shadertoy) and out/alpine.png (its picture)
-  test    everything that must hold before a change goes in: formatting, lints, the build without a GPU,
-          all tests, the examples, the judges, the documentation
-  judge   the judges alone: Tint, glslang and spirv-val on all that Orogen writes for its presets and modules
+  demo      builds Orogen and makes out/alpine.wgsl (a shader to put into your own program),
+            out/alpine.shadertoy.glsl (a shader to paste into Shadertoy) and out/alpine.png (its picture)
+  test      everything that must hold before a change goes in: formatting, lints, the build without a GPU,
+            all tests, the examples, the judges, the documentation
+  judge     the judges alone: Tint, glslang and spirv-val on all that Orogen writes for its presets, views
+            and modules
+  accuracy  measures the library and writes docs/accuracy.md: what each function promises, and what it keeps
+  gallery   draws the built-in presets, or those named, into docs/gallery/ and writes docs/gallery.md
 
   --no-install   install nothing: say what is missing and how to get it, and stop
 
@@ -46,6 +51,8 @@ enum Chore {
     Demo(Install),
     Test(Install),
     Judge(Install),
+    Accuracy(Install),
+    Gallery(Install, Vec<String>),
     Help,
 }
 
@@ -72,6 +79,8 @@ fn carry_out(chore: &Chore) -> Outcome {
         Chore::Demo(install) => demo::demo(*install),
         Chore::Test(install) => test::test(*install),
         Chore::Judge(install) => judges::judge_alone(*install),
+        Chore::Accuracy(install) => accuracy::accuracy(*install),
+        Chore::Gallery(install, names) => gallery::gallery(*install, names),
         Chore::Help => {
             print!("{HELP}");
             Ok(())
@@ -96,6 +105,10 @@ fn parse(arguments: &[String]) -> Result<Chore, String> {
         ["demo"] => Ok(Chore::Demo(install)),
         ["test"] => Ok(Chore::Test(install)),
         ["judge"] => Ok(Chore::Judge(install)),
+        ["accuracy"] => Ok(Chore::Accuracy(install)),
+        ["gallery", presets @ ..] => {
+            Ok(Chore::Gallery(install, presets.iter().map(|&name| name.to_owned()).collect()))
+        }
         [name] => Err(format!("there is no chore `{name}`")),
         [_, second, ..] => Err(format!("one chore at a time: `{second}` is one too many")),
     }
@@ -115,6 +128,16 @@ mod tests {
         assert_eq!(parsed("demo"), Ok(Chore::Demo(Install::WhatIsMissing)));
         assert_eq!(parsed("test --no-install"), Ok(Chore::Test(Install::Nothing)));
         assert_eq!(parsed("--no-install judge"), Ok(Chore::Judge(Install::Nothing)));
+        assert_eq!(parsed("accuracy"), Ok(Chore::Accuracy(Install::WhatIsMissing)));
+    }
+
+    #[test]
+    fn the_gallery_takes_names_and_nothing_else_does() {
+        let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
+        assert_eq!(parsed("gallery"), Ok(Chore::Gallery(Install::WhatIsMissing, names(&[]))));
+        let two = Chore::Gallery(Install::Nothing, names(&["alpine", "dunes"]));
+        assert_eq!(parsed("gallery alpine --no-install dunes"), Ok(two));
+        assert!(parsed("accuracy alpine").is_err());
     }
 
     #[test]

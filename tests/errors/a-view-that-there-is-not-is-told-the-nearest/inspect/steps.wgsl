@@ -1,0 +1,2 @@
+// How often.
+fn main_image(p: vec2f) -> vec4f { return vec4f(0.0); }

@@ -1,0 +1,2 @@
+// No view: no picture.
+fn stesp() {}
