@@ -1,4 +1,4 @@
-// A landscape: land under a clear sky.
+// A landscape: land, woods and water under a clear sky.
 
 #include <camera/camera.wgsl>
 #include <camera/display.wgsl>
@@ -9,9 +9,15 @@
 
 /// Whether trees stand on the land.
 #option landscape.trees = false
+/// Whether the land is flooded up to `water.level`.
+#option landscape.water = false
 
 #if landscape.trees
 #include <trees/trees.wgsl>
+#endif
+#if landscape.water
+#include <water/level.wgsl>
+#include <water/shade.wgsl>
 #endif
 
 /// What a ray sees.
@@ -22,34 +28,147 @@ struct Traced {
     distance: f32,
 }
 
+#if landscape.water
+const LANDSCAPE_RAYS: i32 = 2; // the second from the water on
+#else
+const LANDSCAPE_RAYS: i32 = 1;
+#endif
+
 /// What is seen from `origin` (m) in the unit `direction`.
+///
+/// A loop over the ray and its reflection: compilers copy every function into each place that it is called from, so
+/// everything is looked for, shadowed and lit in one place only.
 fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
-    let hit = terrain_trace(origin, direction);
-#if landscape.trees
-    let tree = trees_trace(origin, direction, 0.0, hit.distance);
-    if tree.hit {
-        let crown = origin + tree.distance * direction;
-        let pixel = terrain_footprint(tree.distance);
-        let sun_left = terrain_shadow(crown, sun_direction(), pixel) * trees_shadow(crown, pixel);
-        let leaves = trees_shade(origin, direction, tree, sun_left);
-        return Traced(sky_veil(leaves, origin, direction, tree.distance), tree.distance);
-    }
+    var start = origin;
+    var toward = direction;
+    var gone = 0.0; // way (m) of the first ray, if there is a second
+    var radiance = vec3f(0.0); // of the last ray
+    var distance = terrain.far; // of the first
+#if landscape.water
+    let submerged = origin.y < water.level;
+    var surface = WaterSeen(vec3f(0.0), vec3f(1.0), direction); // what the first ray sees on its way to the second
+    var in_air = false; // whether the first ray ended on water seen from above
 #endif
-    if !hit.hit {
-        let clear = sky_radiance(direction) + sun_disc(direction);
-        return Traced(cirrus_veil(clear, origin, direction), terrain.far);
-    }
-    let footprint = terrain_footprint(hit.distance);
-    let along = origin + hit.distance * direction;
-    let land = terrain_height_grad_filtered(along.xz, footprint);
-    let position = vec3f(along.x, land.x, along.z);
-    let normal = normalize(vec3f(-land.y, 1.0, -land.z));
-    var sun_seen = terrain_shadow(position, normal, footprint);
-#if landscape.trees
-    sun_seen *= trees_shadow(position, footprint);
+
+    for (var bounce = 0; bounce < LANDSCAPE_RAYS; bounce++) {
+        let land = terrain_trace(start, toward);
+        var way = land.distance;
+        var wet = false; // whether the ray meets water first
+        var leafy = false; // whether it meets a tree first
+
+#if landscape.water
+        // The land's march ends within half a pixel of the ground: near the waterline the depth decides.
+        var depth = 0.0;
+        if bounce == 0 {
+            let water_ahead = water_trace(start, toward, terrain.far);
+            let slack = 0.5 * terrain_footprint(way);
+            wet = water_ahead.hit
+                && (!land.hit || water_ahead.distance < way || start.y + way * toward.y < water.level + slack);
+            if wet {
+                let crossing = start + water_ahead.distance * toward;
+                depth = crossing.y - terrain_height_filtered(crossing.xz, terrain_footprint(water_ahead.distance));
+                wet = depth > 0.0 && (!submerged || water_ahead.distance < way);
+            }
+            way = select(way, water_ahead.distance, wet);
+        }
 #endif
-    let radiance = terrain_shade(position, normal, footprint, sun_seen);
-    return Traced(sky_veil(radiance, origin, direction, hit.distance), hit.distance);
+#if landscape.trees
+        let tree = trees_trace(start, toward, 0.0, way);
+        if tree.hit {
+            leafy = true;
+            wet = false;
+            way = tree.distance;
+        }
+#endif
+        if bounce == 0 && (land.hit || wet || leafy) {
+            distance = way;
+        }
+        let end = start + way * toward;
+        let footprint = terrain_footprint(gone + way);
+
+        // What is lit there: the tree, the ground at the end of the ray, or the ground under the water, to where its
+        // refraction leads.
+        var spot = end.xz;
+        var position = end;
+        var normal = sun_direction();
+        var slope = 0.0;
+        var lit = vec3f(0.0);
+        var sun_seen = 1.0;
+#if landscape.water
+        if wet {
+            let down = water_refracted_down(toward);
+            spot += depth * down.xz / max(-down.y, 0.1);
+        }
+#endif
+        if land.hit || wet || leafy {
+            if !leafy {
+                let relief = terrain_height_grad_filtered(spot, footprint);
+                normal = normalize(vec3f(-relief.y, 1.0, -relief.z));
+                position = vec3f(spot.x, relief.x, spot.y);
+                slope = length(relief.yz);
+            }
+            // The sun goes into water where the eye looks in, near enough.
+            let shadowed = select(position, end, wet);
+            sun_seen = terrain_shadow(shadowed, select(normal, vec3f(0.0, 1.0, 0.0), wet), footprint);
+#if landscape.trees
+            if sun_seen > 0.0 {
+                sun_seen *= trees_shadow(shadowed, footprint);
+            }
+            if leafy {
+                lit = trees_shade(start, toward, tree, sun_seen);
+            }
+#endif
+            if !leafy {
+                lit = terrain_shade(position, normal, footprint, sun_seen);
+            }
+        }
+
+#if landscape.water
+        if wet && !submerged {
+            let covered = water_footprint(way, toward);
+            let bed_depth = max(end.y - position.y, 0.0);
+            let edge = water_edge(covered, slope);
+            surface = water_seen_from_above(end, toward, covered, lit, depth, bed_depth, edge, sun_seen);
+            in_air = true;
+        } else if wet {
+            surface = water_seen_from_below(end, toward, way, origin.y);
+        } else if bounce == 0 && submerged {
+            // Under water, and no surface ahead: the ground, or the deep.
+            radiance = water_around(lit, way, water.level - position.y, origin.y);
+            break;
+        }
+        if wet {
+            if max(max(surface.passed.x, surface.passed.y), surface.passed.z) < 0.002 {
+                break; // nothing of a second ray would be seen
+            }
+            gone = way;
+            toward = surface.direction;
+            start = end + vec3f(0.0, max(0.02, 0.25 * footprint), 0.0);
+            continue;
+        }
+        let sun_shows = bounce == 0 || submerged; // in water the sun's image is its glint
+#else
+        let sun_shows = true;
+#endif
+
+        // What a ray through air sees.
+        if land.hit || leafy {
+            radiance = sky_veil(lit, start, toward, way);
+        } else {
+            let clear = sky_radiance(toward) + select(vec3f(0.0), sun_disc(toward), sun_shows);
+            radiance = cirrus_veil(clear, start, toward);
+        }
+        break;
+    }
+#if landscape.water
+    let seen = surface.own + surface.passed * radiance;
+    if in_air {
+        return Traced(sky_veil(seen, origin, direction, distance), distance);
+    }
+    return Traced(seen, distance);
+#else
+    return Traced(radiance, distance);
+#endif
 }
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
