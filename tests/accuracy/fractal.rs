@@ -4,9 +4,7 @@ use crate::harness::{Report, Scope, values};
 use rustfft::FftPlanner;
 use rustfft::num_complex::Complex;
 use truth::erosion::{Erosion, erosion2};
-use truth::fractal::{
-    Octaves, billow2, damped2, fbm2, fbm2_turned, fbm3, hybrid2, ridged2, warp2,
-};
+use truth::fractal::{Octaves, billow2, damped2, fbm2, fbm2_turned, fbm3, hybrid2, ridged2, warp2};
 use truth::noise::{self, gradient};
 use truth::points::Random;
 
@@ -98,7 +96,11 @@ fn compare(report: &mut Report, name: &str, expression: &str, field: Field<'_>, 
     let usual = (slopes / points.len() as f64).sqrt();
     let worst = errors.iter().copied().fold(0.0, f64::max);
     report.at_most(&format!("`{name}`: largest error of the value"), error, value_bound);
-    report.at_most(&format!("`{name}`: largest error of the gradient, over the RMS slope"), worst / usual, 1e-3);
+    report.at_most(
+        &format!("`{name}`: largest error of the gradient, over the RMS slope"),
+        worst / usual,
+        1e-3,
+    );
 }
 
 #[test]
@@ -126,7 +128,11 @@ fn fbm_is_the_sum_of_its_octaves_and_so_is_its_gradient() {
     }
     let usual = (slopes / points.len() as f64).sqrt();
     report.at_most("`fbm3` (value): largest error of the value", value_error, 2e-5);
-    report.at_most("`fbm3` (value): largest error of the gradient, over the RMS slope", slope_error / usual, 1e-3);
+    report.at_most(
+        "`fbm3` (value): largest error of the gradient, over the RMS slope",
+        slope_error / usual,
+        1e-3,
+    );
     report.finish();
 }
 
@@ -215,7 +221,11 @@ fn eroded_land_has_its_exact_gradient_and_the_change_keeps_its_strength() {
     report.told("usual slope", usual);
     report.told("usual slope", (values_squared / count).sqrt());
     report.told("rms value error", (value_squares / count).sqrt());
-    report.at_most("`erosion2`: largest error of the value, over the strength", value_error / how.strength, 1e-4);
+    report.at_most(
+        "`erosion2`: largest error of the value, over the strength",
+        value_error / how.strength,
+        1e-4,
+    );
     for part in [0.5, 0.9, 0.99, 0.999, 0.9999, 1.0] {
         let error = errors[((part * count) as usize).min(errors.len() - 1)];
         report.told(&format!("`erosion2`: error of the gradient, {part}"), error / usual);

@@ -26,13 +26,13 @@ fn billow2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, roundn
         if presence <= 0.0 {
             break;
         }
-        let n = noise2(q, seed + u32(i));
+        let n = noise2(q + f32(i) * FRACTAL_SHIFT, seed + u32(i));
         let height = sqrt(n.x * n.x + roundness * roundness);
         let slope = (scale * n.x / max(height, 1e-9)) * (n.yz * to_octave); // a row vector times M is Mᵀ times the vector
         sum += strength * presence * vec3f(scale * (height - roundness) - mean, slope);
         mean = MEAN_BILLOW;
         strength *= gain;
-        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_SHIFT;
+        q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);
     }
     return sum;

@@ -24,7 +24,7 @@ fn damped2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, dampin
         if presence <= 0.0 {
             break;
         }
-        let octave = jet2_scaled(jet2_carried(noise2(q, seed + u32(i)), to_octave), strength * presence);
+        let octave = jet2_scaled(jet2_carried(noise2(q + f32(i) * FRACTAL_SHIFT, seed + u32(i)), to_octave), strength * presence);
         slope += octave.gradient;
         bend += octave.hessian;
         let kept = 1.0 / (1.0 + damping * dot(slope, slope));
@@ -32,7 +32,7 @@ fn damped2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, dampin
         let kept_slope = -2.0 * damping * kept * kept * vec2f(dot(bend.xy, slope), dot(bend.yz, slope));
         sum += vec3f(kept * octave.value, kept * octave.gradient + octave.value * kept_slope);
         strength *= gain;
-        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_SHIFT;
+        q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);
     }
     return sum;

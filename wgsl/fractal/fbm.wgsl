@@ -21,8 +21,8 @@ fn fbm2_normalized(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32
     return fbm2(p, seed, octaves, gain, lacunarity) / max(fbm_bound(octaves, gain), 1e-6);
 }
 
-/// As `fbm2`, with the rotation `turn` and the offset `shift` (in cells of the finer octave) from one octave to the
-/// next: q' = lacunarity · turn · q + shift.
+/// As `fbm2`, with the rotation `turn` from one octave to the next and the offset `shift` (in an octave's own cells) an
+/// octave: octave i is looked up at (lacunarity · turn)^i p + i · shift.
 ///
 /// Without either (identity, 0) all lattices have their corners in common, and show. The gradient is exact for any
 /// matrix; `fbm_slope_bound` holds for rotations.
@@ -44,44 +44,16 @@ fn fbm2_turned(
         if presence <= 0.0 {
             break;
         }
-        let n = noise2(q, seed + u32(i));
+        let n = noise2(q + f32(i) * shift, seed + u32(i));
         sum += strength * presence * vec3f(n.x, n.yz * to_octave); // a row vector times M is Mᵀ times the vector
         strength *= gain;
-        q = lacunarity * (turn * q) + shift;
+        q = lacunarity * (turn * q);
         to_octave = lacunarity * (turn * to_octave);
     }
     return sum;
 }
 
-/// As `fbm2`, but each octave is weakened where the ground is steep already: divided by 1 + `damping` |sum of
-/// gradients|².
-///
-/// Smooth valleys and rough heights from the same sum. The second and third component are the sum of the damped
-/// octaves' gradients, which is the gradient only as far as the damping itself is constant; <fractal/damped.wgsl> has
-/// the exact one.
-fn fbm2_damped(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, damping: f32) -> vec3f {
-    var sum = vec3f(0.0);
-    var slope = vec2f(0.0);
-    var strength = 1.0;
-    var q = p;
-    var to_octave = mat2x2f(vec2f(1.0, 0.0), vec2f(0.0, 1.0));
-    for (var i = 0; i < FRACTAL_MAX_OCTAVES; i++) {
-        let presence = clamp(octaves - f32(i), 0.0, 1.0);
-        if presence <= 0.0 {
-            break;
-        }
-        let n = noise2(q, seed + u32(i));
-        let rise = strength * presence * vec3f(n.x, n.yz * to_octave);
-        slope += rise.yz;
-        sum += rise / (1.0 + damping * dot(slope, slope));
-        strength *= gain;
-        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_SHIFT;
-        to_octave = lacunarity * (FRACTAL_TURN * to_octave);
-    }
-    return sum;
-}
-
-/// The largest value that `fbm2` and `fbm2_damped` can reach: 1 + gain + gain² + …, the last octave in part.
+/// The largest value that `fbm2` can reach: 1 + gain + gain² + …, the last octave in part.
 fn fbm_bound(octaves: f32, gain: f32) -> f32 {
     return octave_sum(octaves, gain);
 }

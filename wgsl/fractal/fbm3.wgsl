@@ -27,10 +27,10 @@ fn fbm3(p: vec3f, seed: u32, octaves: f32, gain: f32, lacunarity: f32) -> vec4f 
         if presence <= 0.0 {
             break;
         }
-        let n = noise3(q, seed + u32(i));
+        let n = noise3(q + f32(i) * FBM3_SHIFT, seed + u32(i));
         sum += strength * presence * vec4f(n.x, n.yzw * to_octave); // a row vector times M is Mᵀ times the vector
         strength *= gain;
-        q = lacunarity * (FBM3_TURN * q) + FBM3_SHIFT;
+        q = lacunarity * (FBM3_TURN * q);
         to_octave = lacunarity * (FBM3_TURN * to_octave);
     }
     return sum;

@@ -24,14 +24,14 @@ fn hybrid2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, offset
         if presence <= 0.0 {
             break;
         }
-        let n = noise2(q, seed + u32(i));
+        let n = noise2(q + f32(i) * FRACTAL_SHIFT, seed + u32(i));
         let signal = strength * vec3f(n.x + offset, n.yz * to_octave); // a row vector times M is Mᵀ times the vector
         let term = vec3f(weight.x * signal.x, weight.x * signal.yz + weight.yz * signal.x);
         sum += presence * term;
         let limited = hybrid_limit(term.x);
         weight = vec3f(limited.x, limited.y * term.yz);
         strength *= gain;
-        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_SHIFT;
+        q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);
     }
     return sum;

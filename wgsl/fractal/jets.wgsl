@@ -22,10 +22,10 @@ fn fbm2_jet(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32) -> Je
         if presence <= 0.0 {
             break;
         }
-        let octave = jet2_carried(noise2(q, seed + u32(i)), to_octave);
+        let octave = jet2_carried(noise2(q + f32(i) * FRACTAL_SHIFT, seed + u32(i)), to_octave);
         sum = jet2_sum(sum, jet2_scaled(octave, strength * presence));
         strength *= gain;
-        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_SHIFT;
+        q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);
     }
     return sum;
@@ -53,7 +53,7 @@ fn ridged2_jet(
         if presence <= 0.0 {
             break;
         }
-        let n = jet2_carried(noise2(q, seed + u32(i)), to_octave);
+        let n = jet2_carried(noise2(q + f32(i) * FRACTAL_RIDGE_SHIFT, seed + u32(i)), to_octave);
         // Of (1 - height)², height = sqrt(n² + roundness²): height' = n / height, height'' = roundness² / height³.
         let height = max(sqrt(n.value * n.value + roundness * roundness), 1e-6);
         let ridge = 1.0 - height;
@@ -67,7 +67,7 @@ fn ridged2_jet(
         weight = jet2_through(signal, 1.0 - rest * rest, rest * sharpness, turn);
         mean = MEAN_RIDGE;
         strength *= gain;
-        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_RIDGE_SHIFT;
+        q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);
     }
     return sum;
@@ -85,7 +85,7 @@ fn hybrid2_jet(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, of
         if presence <= 0.0 {
             break;
         }
-        let n = jet2_carried(noise2(q, seed + u32(i)), to_octave);
+        let n = jet2_carried(noise2(q + f32(i) * FRACTAL_SHIFT, seed + u32(i)), to_octave);
         let signal = jet2_scaled(Jet2(n.value + offset, n.gradient, n.hessian), strength);
         let term = jet2_product(weight, signal);
         sum = jet2_sum(sum, jet2_scaled(term, presence));
@@ -96,7 +96,7 @@ fn hybrid2_jet(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, of
         let turn = select(0.0, -0.5, inside && term.value > 0.0);
         weight = jet2_through(term, w - 0.25 * above * above, select(0.0, 1.0 - 0.5 * above, inside), turn);
         strength *= gain;
-        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_SHIFT;
+        q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);
     }
     return sum;

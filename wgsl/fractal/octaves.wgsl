@@ -4,7 +4,8 @@
 const FRACTAL_MAX_OCTAVES: i32 = 16;
 /// Each octave is turned by 36.87 degrees (exact in a 3-4-5 triangle) and shifted, so that no two lattices line up.
 const FRACTAL_TURN: mat2x2f = mat2x2f(vec2f(0.8, 0.6), vec2f(-0.6, 0.8));
-/// How far an octave is shifted, in its own cells.
+/// How far an octave is shifted against the one before, in its own cells. Shifts do not pass through the lacunarity: near
+/// the origin places stay small numbers, which f32 knows well.
 const FRACTAL_SHIFT: vec2f = vec2f(37.31, 17.83);
 /// As `FRACTAL_SHIFT`, of ridged multifractals.
 const FRACTAL_RIDGE_SHIFT: vec2f = vec2f(-21.67, 43.19);

@@ -27,7 +27,7 @@ fn ridged2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, sharpn
         if presence <= 0.0 {
             break;
         }
-        let n = noise2(q, seed + u32(i));
+        let n = noise2(q + f32(i) * FRACTAL_RIDGE_SHIFT, seed + u32(i));
         let height = sqrt(n.x * n.x + roundness * roundness);
         let ridge = 1.0 - height;
         let slope = -2.0 * ridge * (n.x / max(height, 1e-6)) * (n.yz * to_octave); // of ridge², row vector times M
@@ -39,7 +39,7 @@ fn ridged2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, sharpn
         weight = vec3f(1.0 - rest * rest, rest * sharpness * signal.yz);
         mean = MEAN_RIDGE;
         strength *= gain;
-        q = lacunarity * (FRACTAL_TURN * q) + FRACTAL_RIDGE_SHIFT;
+        q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);
     }
     return sum;
