@@ -63,7 +63,8 @@ fn stripes(q: [f64; 2], wave: [f64; 2], seed: u32) -> (f64, f64) {
     for y in corner[1] - 2..corner[1] + 4 {
         for x in corner[0] - 2..corner[0] + 4 {
             let bits = pcg2d([(x as u32).wrapping_add(key), (y as u32).wrapping_add(key)]);
-            let middle = [f64::from(x) + 0.8 * (unit(bits[0]) - 0.5), f64::from(y) + 0.8 * (unit(bits[1]) - 0.5)];
+            let middle =
+                [f64::from(x) + 0.8 * (unit(bits[0]) - 0.5), f64::from(y) + 0.8 * (unit(bits[1]) - 0.5)];
             let offset = [q[0] - middle[0], q[1] - middle[1]];
             let distance2 = offset[0] * offset[0] + offset[1] * offset[1];
             let weight = (1.0 - distance2 / 1.6_f64.powi(2)).max(0.0).powi(4);

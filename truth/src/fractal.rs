@@ -70,7 +70,14 @@ pub fn fbm2(noise: Noise2, p: [f64; 2], seed: u32, octaves: Octaves) -> f64 {
 
 /// As [`fbm2`], with the turn and the shift of an octave given.
 #[must_use]
-pub fn fbm2_turned(noise: Noise2, p: [f64; 2], seed: u32, octaves: Octaves, angle: f64, shift: [f64; 2]) -> f64 {
+pub fn fbm2_turned(
+    noise: Noise2,
+    p: [f64; 2],
+    seed: u32,
+    octaves: Octaves,
+    angle: f64,
+    shift: [f64; 2],
+) -> f64 {
     octaves
         .each()
         .map(|o| o.strength * o.presence * noise(octaves.place(p, o.number, angle, shift), seed + o.number))
@@ -82,7 +89,8 @@ pub fn fbm2_turned(noise: Noise2, p: [f64; 2], seed: u32, octaves: Octaves, angl
 pub fn fbm3(noise: Noise3, p: [f64; 3], seed: u32, octaves: Octaves) -> f64 {
     let place = |number| {
         (0..number).fold(p, |[x, y, z], _| {
-            let turned = [-2.0 * x - 3.0 * y - 6.0 * z, -3.0 * x + 6.0 * y - 2.0 * z, 6.0 * x + 2.0 * y - 3.0 * z];
+            let turned =
+                [-2.0 * x - 3.0 * y - 6.0 * z, -3.0 * x + 6.0 * y - 2.0 * z, 6.0 * x + 2.0 * y - 3.0 * z];
             let shift = [37.31, 17.83, 53.47];
             std::array::from_fn(|axis| octaves.lacunarity * turned[axis] / 7.0 + shift[axis])
         })
@@ -106,7 +114,14 @@ pub fn billow2(noise: Noise2, p: [f64; 2], seed: u32, octaves: Octaves, roundnes
 
 /// Octaves of (1 − |noise|)², rounded, the later ones about their mean and weighted by the one before.
 #[must_use]
-pub fn ridged2(noise: Noise2, p: [f64; 2], seed: u32, octaves: Octaves, sharpness: f64, roundness: f64) -> f64 {
+pub fn ridged2(
+    noise: Noise2,
+    p: [f64; 2],
+    seed: u32,
+    octaves: Octaves,
+    sharpness: f64,
+    roundness: f64,
+) -> f64 {
     let mut sum = 0.0;
     let mut weight = 1.0;
     for o in octaves.each() {
@@ -160,8 +175,9 @@ pub fn damped2(noise: Noise2, p: [f64; 2], seed: u32, octaves: Octaves, damping:
     let mut sum = 0.0;
     let mut slope = [0.0; 2];
     for o in octaves.each() {
-        let octave =
-            |p| o.strength * o.presence * noise(octaves.place(p, o.number, usual_angle(), SHIFT), seed + o.number);
+        let octave = |p| {
+            o.strength * o.presence * noise(octaves.place(p, o.number, usual_angle(), SHIFT), seed + o.number)
+        };
         let rise = gradient(octave, p, 1e-5 * octaves.lacunarity.powi(-(o.number as i32)));
         slope = [slope[0] + rise[0], slope[1] + rise[1]];
         sum += octave(p) / (1.0 + damping * (slope[0] * slope[0] + slope[1] * slope[1]));

@@ -9,3 +9,4 @@ pub mod fractal;
 pub mod hash;
 pub mod noise;
 pub mod points;
+pub mod spectrum;
