@@ -10,3 +10,4 @@ pub mod hash;
 pub mod noise;
 pub mod oklab;
 pub mod points;
+pub mod spectrum;
