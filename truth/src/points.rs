@@ -50,3 +50,18 @@ pub fn place2(index: u32, reach: f32) -> [f32; 2] {
 pub fn place3(index: u32, reach: f32) -> [f32; 3] {
     pcg3d([index, 77, 78]).map(|bits| signed(bits) as f32 * reach)
 }
+
+/// How far the worst of `found` is from `truth` of its place; infinitely far if one is NaN.
+pub fn worst2(found: &[f64], reach: f32, truth: &dyn Fn(u32, [f64; 2]) -> f64) -> f64 {
+    worst(found, |index| truth(index, place2(index, reach).map(f64::from)))
+}
+
+/// As [`worst2`], in space.
+pub fn worst3(found: &[f64], reach: f32, truth: &dyn Fn(u32, [f64; 3]) -> f64) -> f64 {
+    worst(found, |index| truth(index, place3(index, reach).map(f64::from)))
+}
+
+fn worst(found: &[f64], truth: impl Fn(u32) -> f64) -> f64 {
+    let errors = found.iter().zip(0..).map(|(found, index)| (found - truth(index)).abs());
+    errors.fold(0.0, |most, error| if error.is_nan() { f64::INFINITY } else { f64::max(most, error) })
+}

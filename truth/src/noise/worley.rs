@@ -16,14 +16,6 @@ pub struct Worley<const N: usize> {
     pub id: u32,
 }
 
-impl<const N: usize> Worley<N> {
-    /// (F1, F2).
-    #[must_use]
-    pub fn distances(self) -> [f64; 2] {
-        [self.f1, self.f2]
-    }
-}
-
 /// The nearest feature points in the plane.
 #[must_use]
 pub fn worley2(p: [f64; 2], period: Period<2>, seed: u32) -> Worley<2> {
