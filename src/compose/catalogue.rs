@@ -3,7 +3,7 @@
 use super::cache::Cache;
 use super::error::ComposeError;
 use crate::diagnostic::nearest;
-use crate::source::{Library, Source};
+use crate::source::{Library, Source, SourceError};
 use crate::syntax::DirectiveKind;
 
 /// Names, each with one line about it; sorted.
@@ -11,10 +11,8 @@ use crate::syntax::DirectiveKind;
 pub struct Catalogue {
     /// All fragments, by path.
     pub modules: Vec<(String, String)>,
-    /// The fragments that are whole pictures: those with `fn main_image`, but for the debug views.
+    /// The fragments that are whole pictures: those with `fn main_image`, but for the debug [`views`].
     pub scenes: Vec<(String, String)>,
-    /// The debug views of a preset's scene, by the names that [`Compose::view`](crate::Compose::view) takes.
-    pub views: Vec<(String, String)>,
     /// The options that any of them declares, each with its choices.
     pub options: Vec<(String, String)>,
 }
@@ -30,11 +28,8 @@ pub fn catalogue(library: &Library) -> Catalogue {
         };
         let fragment = cache.fragment(&source);
         let about = about(&source.text);
-        if fragment.has_main_image {
-            match view_name(&path) {
-                Some(name) => all.views.push((name.to_owned(), about.clone())),
-                None => all.scenes.push((path.clone(), about.clone())),
-            }
+        if fragment.has_main_image && view_name(&path).is_none() {
+            all.scenes.push((path.clone(), about.clone()));
         }
         all.modules.push((path, about));
         for placed in &fragment.directives {
@@ -59,7 +54,8 @@ fn view_name(path: &str) -> Option<&str> {
     (!name.contains('/')).then_some(name)
 }
 
-/// The debug views of `library`, each with one line about it; sorted.
+/// The debug views of `library`, by the names that [`Compose::view`](crate::Compose::view) takes, each with one line about
+/// it; sorted.
 pub fn views(library: &Library) -> Vec<(String, String)> {
     let mut cache = Cache::default();
     let mut views = Vec::new();
@@ -76,17 +72,16 @@ pub fn views(library: &Library) -> Vec<(String, String)> {
 
 /// The debug view called `name`.
 pub(super) fn view(library: &Library, name: &str) -> Result<Source, ComposeError> {
-    let views = views(library);
-    let names = || views.iter().map(|(name, _)| name.as_str());
-    let unknown = || ComposeError::UnknownView {
-        name: name.to_owned(),
-        nearest: nearest(name, names()),
-        views: names().map(str::to_owned).collect(),
-    };
-    if !names().any(|known| known == name) {
-        return Err(unknown());
+    let path = format!("{VIEWS}{name}.wgsl");
+    match view_name(&path).map(|_| library.find(&path)) {
+        Some(Ok(source)) if Cache::default().fragment(&source).has_main_image => Ok(source),
+        None | Some(Ok(_) | Err(SourceError::NotFound { .. } | SourceError::Path { .. })) => {
+            let views: Vec<String> = views(library).into_iter().map(|(name, _)| name).collect();
+            let nearest = nearest(name, views.iter().map(String::as_str));
+            Err(ComposeError::UnknownView { name: name.to_owned(), nearest, views })
+        }
+        Some(Err(error)) => Err(ComposeError::Scene { error, at: None, nearest: None }),
     }
-    library.find(&format!("{VIEWS}{name}.wgsl")).map_err(|_| unknown())
 }
 
 /// The comment at the top of a fragment, its first paragraph on one line.

@@ -1,8 +1,8 @@
 // How far away the land is, as colour.
 
 #include <color/srgb.wgsl>
-#include "scale.wgsl"
-#include "sight.wgsl"
+#include <inspect/scale.wgsl>
+#include <inspect/sight.wgsl>
 
 /// Distance at the dark end of the scale.
 #param inspect.near: f32 = 10.0, range 0.001 .. 1000000, log, unit m

@@ -1,9 +1,9 @@
 // Height difference error: how far above or below the land the march ended, |P.y - H(P.xz)|, as colour.
 
 #include <color/srgb.wgsl>
-#include "scale.wgsl"
-#include "sight.wgsl"
-#include "truth.wgsl"
+#include <inspect/scale.wgsl>
+#include <inspect/sight.wgsl>
+#include <inspect/truth.wgsl>
 
 /// Error at the dark end of the scale.
 #param inspect.hde_low: f32 = 0.001, range 0.000001 .. 1000, log, unit m

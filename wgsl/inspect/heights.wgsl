@@ -4,8 +4,8 @@
 #include <color/srgb.wgsl>
 #include <frame.wgsl>
 #include <terrain/height.wgsl>
-#include "extent.wgsl"
-#include "scale.wgsl"
+#include <inspect/extent.wgsl>
+#include <inspect/scale.wgsl>
 
 /// How strongly slopes are shaded, as if light came from the north-west.
 #param inspect.relief: f32 = 0.7, range 0 .. 1

@@ -2,9 +2,9 @@
 // colour. Green: the march found land where there is none, or none where there is.
 
 #include <color/srgb.wgsl>
-#include "scale.wgsl"
-#include "sight.wgsl"
-#include "truth.wgsl"
+#include <inspect/scale.wgsl>
+#include <inspect/sight.wgsl>
+#include <inspect/truth.wgsl>
 
 /// Error at the dark end of the scale.
 #param inspect.ide_low: f32 = 0.01, range 0.000001 .. 1000, log, unit m

@@ -2,8 +2,8 @@
 
 #include <color/srgb.wgsl>
 #include <terrain/material.wgsl>
-#include "scale.wgsl"
-#include "sight.wgsl"
+#include <inspect/scale.wgsl>
+#include <inspect/sight.wgsl>
 
 /// How much brighter than they are albedos are shown: each step doubles them. At 0 a wet forest is nearly black.
 #param inspect.albedo_exposure: f32 = 0.0, range -8 .. 8, unit EV

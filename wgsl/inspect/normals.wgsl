@@ -1,7 +1,7 @@
 // Which way the ground faces: east red, up green, south blue, each from -1 (none of it) to 1.
 
 #include <terrain/material.wgsl>
-#include "sight.wgsl"
+#include <inspect/sight.wgsl>
 
 /// Whose normal: the land's, or with what the ground's cover adds to it, ripples and grain.
 #option inspect.normal = land { land, cover }

@@ -2,7 +2,7 @@
 
 #include <color/heat.wgsl>
 #include <frame.wgsl>
-#include "digits.wgsl"
+#include <inspect/digits.wgsl>
 
 /// Which numbers the colours stand for.
 struct Scale {

@@ -2,8 +2,8 @@
 
 #include <color/srgb.wgsl>
 #include <sun/sun.wgsl>
-#include "scale.wgsl"
-#include "sight.wgsl"
+#include <inspect/scale.wgsl>
+#include <inspect/sight.wgsl>
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1. Half shadows lie between cream and
 /// blue; slopes are shaded a little, so that the land's forms are seen.

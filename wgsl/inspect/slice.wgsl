@@ -4,8 +4,8 @@
 #include <color/srgb.wgsl>
 #include <frame.wgsl>
 #include <terrain/height.wgsl>
-#include "extent.wgsl"
-#include "scale.wgsl"
+#include <inspect/extent.wgsl>
+#include <inspect/scale.wgsl>
 
 /// How far south of the camera the cut is.
 #param inspect.slice_z: f32 = 0.0, range -1000000 .. 1000000, unit m

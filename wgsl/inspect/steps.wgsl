@@ -1,8 +1,8 @@
 // How many heights the march looked up to find the land, or that there is none, as colour.
 
 #include <color/srgb.wgsl>
-#include "scale.wgsl"
-#include "sight.wgsl"
+#include <inspect/scale.wgsl>
+#include <inspect/sight.wgsl>
 
 /// Steps at the light end of the scale.
 #param inspect.most_steps: f32 = 320.0, range 1 .. 100000, log
