@@ -10,4 +10,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]
 
+mod geometry;
 mod harness;
+mod light;
+mod water;
