@@ -12,9 +12,12 @@
 
 mod colour;
 mod fractal;
+mod geometry;
 mod harness;
+mod light;
 mod noise;
 mod noise_cells;
 mod noise_flow;
 mod noise_ranges;
 mod terrain;
+mod water;

@@ -6,7 +6,9 @@
 
 pub mod erosion;
 pub mod fractal;
+pub mod geometry;
 pub mod hash;
+pub mod light;
 pub mod noise;
 pub mod oklab;
 pub mod points;

@@ -8,7 +8,7 @@
 /// In each of `directions` >= 1 directions the horizon is the highest angle to `samples` >= 1 samples of the ground,
 /// from `start` (m) to `reach` (m), each farther than the last by the same factor; a sky hidden up to the elevation h
 /// leaves cos² h of the light in that direction (Max 1988). `turn` (rad) turns all directions. Exact for a crater of
-/// even slopes; for a valley between two slopes within 1e-3 with 8 directions, up to a slope of 1. The detail looked
+/// even slopes; for a valley between two slopes within 2e-3 with 8 directions, up to a slope of 1. The detail looked
 /// at is half as wide as the gap between samples.
 fn sky_openness(position: vec3f, start: f32, reach: f32, directions: i32, samples: i32, turn: f32) -> f32 {
     let growth = pow(max(reach / start, 1.0), 1.0 / f32(max(samples - 1, 1)));

@@ -19,6 +19,8 @@ const GERSTNER_WAVES: i32 = 14;
 const GERSTNER_WAVES: i32 = 24;
 #endif
 
+const GERSTNER_SHARE: f32 = 0.70711; // of `water.slope`: half the variance; shorter waves have the other half
+
 /// One wave.
 struct GerstnerWave {
     /// Where it runs to: unit vector (east, south).
@@ -47,7 +49,9 @@ struct GerstnerPoint {
 
 /// ω of waves of number `k` (rad/m) in water `depth` (m) deep: ω² = g k tanh(k depth) (Airy 1845).
 fn gerstner_pulsation(k: f32, depth: f32) -> f32 {
-    return sqrt(9.81 * k * tanh(min(k * depth, 20.0)));
+    let x = k * depth;
+    let shallow = x * (1.0 - x * x * (1.0 / 3.0 - x * x * (2.0 / 15.0))); // GPUs lose digits of small tanh
+    return sqrt(9.81 * k * select(tanh(min(x, 20.0)), shallow, x < 0.1));
 }
 
 /// Wave number `i`: each about a sixth shorter than the one before, all equally steep, headings spread about the wind's,
@@ -59,7 +63,7 @@ fn gerstner_wave(i: i32) -> GerstnerWave {
     let k = 6.2831853 / wave_length;
     let spread = (0.35 + 0.75 * part) * signed_float(pcg(bits));
     let heading = water.wind_heading + spread;
-    let steepness = water.slope * sqrt(2.0 / f32(GERSTNER_WAVES)); // k a
+    let steepness = GERSTNER_SHARE * water.slope * sqrt(2.0 / f32(GERSTNER_WAVES)); // k a
     let omega = gerstner_pulsation(k, water.swell_depth);
     let phase = 6.2831853 * unit_float(pcg(bits + 1u));
     return GerstnerWave(vec2f(sin(heading), -cos(heading)), k, steepness / k, omega, phase);
@@ -68,7 +72,7 @@ fn gerstner_wave(i: i32) -> GerstnerWave {
 /// How wide the particles' circles are over how high, Q: 1 at most, and less where the waves are so steep that they would
 /// fold over. Q times the sum of all k a is at most `water.chop`, which is at most 1.
 fn gerstner_width() -> f32 {
-    let sum = water.slope * sqrt(2.0 * f32(GERSTNER_WAVES));
+    let sum = GERSTNER_SHARE * water.slope * sqrt(2.0 * f32(GERSTNER_WAVES));
     return min(water.chop / max(sum, 1e-6), 1.0);
 }
 
@@ -121,5 +125,5 @@ fn gerstner_waves(p: vec2f, footprint: f32) -> Waves {
 /// A height (m) above the level that no crest exceeds, and below it no trough: the sum of all amplitudes, at most.
 fn gerstner_reach() -> f32 {
     // The wave lengths fall by 2^5 in all: with eight waves and more their sum is at most .35 of as many of the longest.
-    return 0.35 * water.slope * sqrt(2.0 * f32(GERSTNER_WAVES)) * water.wave_length / 6.2831853;
+    return 0.35 * GERSTNER_SHARE * water.slope * sqrt(2.0 * f32(GERSTNER_WAVES)) * water.wave_length / 6.2831853;
 }

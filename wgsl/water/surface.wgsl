@@ -16,6 +16,7 @@
 #include <water/ripples.wgsl>
 #elif water.waves == gerstner
 #include <water/gerstner.wgsl>
+#include <water/ripples.wgsl>
 #endif
 
 /// The surface where a ray meets it.
@@ -39,9 +40,15 @@ struct WaterMirror {
 /// The waves at `p` (m) as seen by a pixel `footprint` (m) wide.
 fn water_surface_waves(p: vec2f, footprint: f32) -> Waves {
 #if water.waves == noise
-    return ripples(p, footprint);
+    return ripples(p, footprint, water.wave_length, water.slope * water_breeze(p, footprint));
 #elif water.waves == gerstner
-    return gerstner_waves(p, footprint);
+    // What is shorter than the shortest of them holds the other half of the slope.
+    var seen = gerstner_waves(p, footprint);
+    let roughness = 0.70711 * water.slope * water_breeze(p, footprint);
+    let fine = ripples(p, footprint, water.wave_length / 32.0, roughness);
+    seen.slope += fine.slope;
+    seen.variance += fine.variance;
+    return seen;
 #else
     return Waves(0.0, vec2f(0.0), 0.0, 0.0);
 #endif
@@ -97,7 +104,8 @@ fn water_trace(origin: vec3f, direction: vec3f, far: f32) -> WaterHit {
 /// the sun that shines on it.
 ///
 /// Waves that are too small to see tilt the mirror toward the eye, as far as those that are seen do on the average, and
-/// make the sun's image a glitter path. A renderer that accumulates frames draws a facet at random for every one, by
+/// make the sun's image a glitter path. The one facet's reflectance is that of all within .02 for slopes of .05, .08 for
+/// .2; a smooth surface's would be off by .23 and .6. A renderer that accumulates frames draws a facet at random for every one, by
 /// `frame.jitter`: what is mirrored is then blurred as it should be.
 fn water_mirror(direction: vec3f, waves: Waves, sun_seen: f32) -> WaterMirror {
     let to_eye = vec3f(-direction.x, max(-direction.y, 1e-4), -direction.z);
@@ -111,8 +119,10 @@ fn water_mirror(direction: vec3f, waves: Waves, sun_seen: f32) -> WaterMirror {
     let seen = facets_seen_slope(tan_view + lean.x, deviation);
     let drawn = clamp(frame.jitter + 0.5, vec2f(0.02), vec2f(0.98));
     let normal_draw = log(drawn / (1.0 - drawn)) / 1.702; // near enough normally distributed; 0 for no jitter
-    let steepest = to_eye.y / (1.0 + level); // facets leaning farther away would mirror what is below the horizon
-    let along = max(lean.x + seen.x + seen.y * normal_draw.y, -0.98 * steepest);
+    // Facets that lean farther away than `steepest` would mirror what is below the horizon; before they do, other waves
+    // hide them.
+    let steepest = to_eye.y / (1.0 + level);
+    let along = max(lean.x + seen.x + seen.y * normal_draw.y, -0.7 * steepest);
     let across = lean.y + deviation * normal_draw.x;
     let tilt = along * toward + across * beside;
     let normal = normalize(vec3f(tilt.x, 1.0, tilt.y));
