@@ -6,3 +6,4 @@
 
 pub mod hash;
 pub mod points;
+pub mod trees;
