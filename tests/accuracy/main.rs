@@ -20,4 +20,5 @@ mod noise_cells;
 mod noise_flow;
 mod noise_ranges;
 mod terrain;
+mod trees;
 mod water;

@@ -13,3 +13,4 @@ pub mod noise;
 pub mod oklab;
 pub mod points;
 pub mod spectrum;
+pub mod trees;

@@ -19,7 +19,7 @@
 /// Albedo of spruce needles.
 #param trees.needle: vec3f = (0.030, 0.052, 0.020), color
 /// Albedo of green leaves.
-#param trees.leaf: vec3f = (0.075, 0.115, 0.024), color
+#param trees.leaf: vec3f = (0.055, 0.086, 0.024), color
 /// Albedo of bark.
 #param trees.bark: vec3f = (0.11, 0.085, 0.065), color
 

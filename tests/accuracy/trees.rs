@@ -1,0 +1,436 @@
+//! Trees: distances, rays, where they stand.
+
+use orogen::Preset;
+use truth::points::Random;
+use truth::trees::{ellipse_bound, ellipse_bound_slope, ellipse_distance};
+
+use crate::harness::{Report, Scope, value, values};
+
+const TREES: &[&str] = &["<trees/trees.wgsl>"];
+
+/// Hills with woods that run into all of their limits: water, tree line and slopes too steep.
+fn hills() -> Preset {
+    let text = r#"{
+        "orogen": 1, "about": "", "scene": "scene/landscape.wgsl",
+        "set": {
+            "landscape": { "trees": true },
+            "terrain": {
+                "relief": "fbm", "seed": 11, "scale": 1500, "peak_height": 900, "gully_depth": 30, "detail": 30
+            },
+            "trees": { "share": 0.75, "lowest": 120, "highest": 330, "raggedness": 40, "steepest": 32, "patch": 300 }
+        }
+    }"#;
+    Preset::parse("hills.json", text).unwrap()
+}
+
+/// The same hills without limits, the trees close together.
+fn woods() -> Preset {
+    let mut preset = hills();
+    for assignment in ["trees.share=0.95", "trees.lowest=-900", "trees.highest=4000", "trees.steepest=80"] {
+        preset.set(assignment).unwrap();
+    }
+    preset
+}
+
+fn largest(rows: &[Vec<f64>], what: impl Fn(&[f64]) -> f64) -> f64 {
+    rows.iter().map(|row| what(row)).fold(f64::NEG_INFINITY, |most, value| {
+        if most.is_nan() || value.is_nan() { f64::NAN } else { most.max(value) }
+    })
+}
+
+const BRUTE_FORCE: &str = r#"
+#include <terrain/height.wgsl>
+#include <trees/trees.wgsl>
+
+// The nearest of all trees in 5×5 cells.
+fn brute_sdf(p: vec3f) -> f32 {
+    let cell = vec2i(floor(p.xz / trees.spacing));
+    var nearest = 1e9;
+    for (var i = 0; i < 25; i++) {
+        let met = trees_standing(cell + vec2i(i % 5 - 2, i / 5 - 2));
+        if met.found {
+            nearest = min(nearest, tree_distance(met.tree, p - met.tree.foot, 0.0));
+        }
+    }
+    return nearest;
+}
+
+fn above_ground(x: f32, y: f32, z: f32) -> vec3f {
+    return vec3f(x, terrain_height_filtered(vec2f(x, z), trees.spacing) + y, z);
+}
+
+fn sdf_and_brute(x: f32, y: f32, z: f32) -> vec2f {
+    let p = above_ground(x, y, z);
+    return vec2f(trees_sdf(p, 0.0), brute_sdf(p));
+}
+
+// (length of the gradient, distance): central differences over 10 cm.
+fn sdf_slope(x: f32, y: f32, z: f32) -> vec2f {
+    let p = above_ground(x, y, z);
+    var at = array<f32, 7>();
+    for (var i = 0; i < 7; i++) {
+        var offset = vec3f(0.0);
+        if i < 6 {
+            offset[i / 2] = select(-0.05, 0.05, (i & 1) == 0);
+        }
+        at[i] = trees_sdf(p + offset, 0.0);
+    }
+    return vec2f(length(vec3f(at[0] - at[1], at[2] - at[3], at[4] - at[5])) / 0.1, at[6]);
+}
+"#;
+
+#[test]
+fn the_distance_to_the_trees_is_at_most_that_by_brute_force() {
+    let mut report = Report::new("Trees", "the_distance_to_the_trees_is_at_most_that_by_brute_force");
+    let mut random = Random::new(301);
+    for (name, preset) in [("hills", hills()), ("closed woods", woods())] {
+        let scope = Scope { includes: TREES, fragment: BRUTE_FORCE, preset: Some(&preset) };
+        let points: Vec<_> = (0..6000)
+            .map(|_| [random.within(-400.0, 400.0), random.within(-5.0, 32.0), random.within(-400.0, 400.0)])
+            .collect();
+        let both = values("sdf_and_brute(x, y, z)", &scope, ["x", "y", "z"], &points);
+        report.at_most(
+            &format!("{name}: `trees_sdf` − brute force over 5×5 cells, m"),
+            largest(&both, |row| row[0] - row[1]),
+            1e-5,
+        );
+        let equal =
+            both.iter().filter(|row| (row[0] - row[1]).abs() < 1e-5).count() as f64 / both.len() as f64;
+        report.told(&format!("{name}: part of the points where both are equal"), equal);
+        let inside = both.iter().filter(|row| row[0] < 0.0).count() as f64 / both.len() as f64;
+        report.at_least(&format!("{name}: part of the points inside of a tree"), inside, 0.02);
+    }
+    report.finish();
+}
+
+#[test]
+fn the_distance_to_the_trees_is_never_steeper_than_one() {
+    let mut report = Report::new("Trees", "the_distance_to_the_trees_is_never_steeper_than_one");
+    let preset = woods();
+    let scope = Scope { includes: TREES, fragment: BRUTE_FORCE, preset: Some(&preset) };
+    let mut random = Random::new(302);
+    let points: Vec<_> = (0..8000)
+        .map(|_| [random.within(-60.0, 60.0), random.within(0.0, 32.0), random.within(-60.0, 60.0)])
+        .collect();
+    let slopes = values("sdf_slope(x, y, z)", &scope, ["x", "y", "z"], &points);
+    let outside: Vec<_> = slopes.into_iter().filter(|row| row[1] > 0.05).collect();
+    report.at_least("points outside of all trees", outside.len() as f64, 2000.0);
+    report.at_most("longest gradient of `trees_sdf` outside", largest(&outside, |row| row[0]), 1.001);
+    report.finish();
+}
+
+#[test]
+fn a_crown_is_nowhere_nearer_than_its_ellipsoid() {
+    let mut report = Report::new("Trees", "a_crown_is_nowhere_nearer_than_its_ellipsoid");
+    let fragment = r#"
+#include <trees/tree.wgsl>
+fn crown_at(x: f32, y: f32, radius: f32, height: f32) -> f32 {
+    var tree: Tree;
+    tree.height = height;
+    tree.radius = radius;
+    tree.crown = 0.2 * height;
+    return crown_hull(tree, vec3f(x, y, 0.0), 0.0).x;
+}
+"#;
+    let scope = Scope { includes: &["<trees/tree.wgsl>"], fragment, preset: None };
+    let mut random = Random::new(303);
+    let points: Vec<_> = (0..20_000)
+        .map(|_| {
+            [
+                random.within(-12.0, 12.0),
+                random.within(-8.0, 30.0),
+                random.within(1.0, 4.0),
+                random.within(4.0, 24.0),
+            ]
+        })
+        .collect();
+    let hulls = values("crown_at(x, y, radius, height)", &scope, ["x", "y", "radius", "height"], &points);
+    let (mut over, mut bound_over, mut steepest, mut outside) =
+        (f64::NEG_INFINITY, f64::NEG_INFINITY, 0.0_f64, 0);
+    for (point, hull) in points.iter().zip(&hulls) {
+        let [x, y, radius, height] = point.map(f64::from);
+        let half = 0.8 * height / 1.65;
+        let up = y - (height - half);
+        let radii = [radius, if up > 0.0 { half } else { 0.65 * half }];
+        if (x / radii[0]).hypot(up / radii[1]) <= 1.0 {
+            continue;
+        }
+        outside += 1;
+        let truth = ellipse_distance([x, up], radii);
+        over = over.max(hull[0] - truth);
+        bound_over = bound_over.max(ellipse_bound([x, up], radii) - truth);
+        steepest = steepest.max(ellipse_bound_slope([x, up], radii));
+    }
+    report.at_least("points outside", f64::from(outside), 5000.0);
+    report.at_most("`crown_hull` − distance to the ellipsoid in f64, m", over, 1e-5);
+    report.at_most("k₀ (k₀ − 1) / k₁ − distance, both in f64, m", bound_over, 1e-9);
+    report.told("longest gradient of k₀ (k₀ − 1) / k₁, which is why it is not used", steepest);
+    report.finish();
+}
+
+const RAYS: &str = r#"
+#include <noise/pcg.wgsl>
+#include <terrain/height.wgsl>
+#include <trees/trees.wgsl>
+
+fn ray_origin(seed: u32) -> vec3f {
+    let u = unit_float3(pcg3d(vec3u(seed, 1u, 2u)));
+    let xz = 500.0 * (u.xy - vec2f(0.5));
+    return vec3f(xz.x, terrain_height_filtered(xz, trees.spacing) + 1.0 + 45.0 * u.z * u.z, xz.y);
+}
+
+fn ray_direction(seed: u32) -> vec3f {
+    let u = unit_float2(pcg2d(vec2u(seed, 3u)));
+    let y = 0.9 - 1.8 * u.x;
+    return vec3f(sqrt(1.0 - y * y) * cos(6.2831853 * u.y), y, sqrt(1.0 - y * y) * sin(6.2831853 * u.y));
+}
+
+// Along a ray of 60 m: (where the march ends, where a chord of at least `chord` through leaves or wood begins, and where
+// it ends; -1 for none).
+fn march_and_dense(seed: u32, chord: f32) -> vec3f {
+    let origin = ray_origin(seed);
+    let direction = ray_direction(seed);
+    let hit = trees_trace(origin, direction, 0.0, 60.0);
+    var begin = -1.0;
+    var run = 0.0;
+    var end = -1.0;
+    for (var i = 0; i < 1200; i++) {
+        let t = (f32(i) + 0.5) * 0.05;
+        if trees_sdf(origin + t * direction, t * camera_pixel_angle()) < 0.0 {
+            run += 0.05;
+            if run >= chord {
+                begin = t - run;
+                end = t;
+                break;
+            }
+        } else {
+            run = 0.0;
+        }
+    }
+    return vec3f(select(1e6, hit.distance, hit.hit), begin, end);
+}
+
+// Along a ray of 60 m: how far from the crowns and trunks the march ends, 0 where it meets none.
+fn march_error(seed: u32) -> f32 {
+    let origin = ray_origin(seed);
+    let direction = ray_direction(seed);
+    let hit = trees_trace(origin, direction, 0.0, 60.0);
+    if !hit.hit || hit.distance <= 0.0 {
+        return 0.0;
+    }
+    return trees_sdf(origin + hit.distance * direction, hit.distance * camera_pixel_angle());
+}
+"#;
+
+#[test]
+fn rays_do_not_tunnel_through_trees() {
+    let mut report = Report::new("Trees", "rays_do_not_tunnel_through_trees");
+    let mut preset = woods();
+    preset.set("trees.share=0.6").unwrap();
+    let scope = Scope { includes: TREES, fragment: RAYS, preset: Some(&preset) };
+    let seeds: Vec<_> = (0..3000).map(|seed| [seed as f32]).collect();
+    for (chord, allowed) in [(0.10, 0.01), (0.25, 0.0), (0.5, 0.0)] {
+        let rows = values(&format!("march_and_dense(seed, {chord:?})"), &scope, ["seed:u32"], &seeds);
+        let met = rows.iter().filter(|row| row[1] >= 0.0).count();
+        let passed = rows.iter().filter(|row| row[1] >= 0.0 && row[0] > row[2] + 0.06).count();
+        report.at_least(&format!("of 3,000 rays, those that meet {chord} m of tree"), met as f64, 1000.0);
+        report.at_most(
+            &format!("part of them that pass through {chord} m"),
+            passed as f64 / met as f64,
+            allowed,
+        );
+    }
+    let errors = values("march_error(seed)", &scope, ["seed:u32"], &seeds);
+    report.at_most("farthest from a tree that a ray's end lies, m", largest(&errors, |row| row[0]), 0.05);
+    report.finish();
+}
+
+#[test]
+fn trees_stand_only_where_the_limits_allow() {
+    let mut report = Report::new("Trees", "trees_stand_only_where_the_limits_allow");
+    let fragment = r#"
+#include <terrain/height.wgsl>
+#include <trees/trees.wgsl>
+
+struct Stand { found: f32, height: f32, slope: f32, cover: f32, off: f32 }
+
+// A cell's tree; its own ground's slope (rad), and what the cover says there.
+fn stand(i: f32, j: f32) -> Stand {
+    let cell = vec2i(i32(i), i32(j));
+    let met = trees_standing(cell);
+    let at = tree_in_cell(cell).foot.xz;
+    var h = vec3f(0.0);
+    for (var k = 0; k < 3; k++) {
+        let beside = trees.spacing * vec2f(f32(i32(k == 1)), f32(i32(k == 2)));
+        h[k] = terrain_height_filtered(at + beside, trees.spacing);
+    }
+    let slope = (h.yz - vec2f(h.x)) / trees.spacing;
+    let normal = normalize(vec3f(-slope.x, 1.0, -slope.y));
+    let middle = (vec2f(cell) + vec2f(0.5)) * trees.spacing;
+    let off = max(abs(at.x - middle.x), abs(at.y - middle.y)) / trees.spacing
+        + met.tree.radius / trees.spacing;
+    return Stand(
+        select(0.0, 1.0, met.found), h.x, length(slope), trees_cover(vec3f(at.x, h.x, at.y), normal),
+        select(0.0, off, met.found),
+    );
+}
+"#;
+    let preset = hills();
+    let scope = Scope { includes: TREES, fragment, preset: Some(&preset) };
+    let cells: Vec<_> = (0..40_000).map(|k| [(k % 200 - 100) as f32, (k / 200 - 100) as f32]).collect();
+    let rows = values("stand(i, j)", &scope, ["i", "j"], &cells);
+    let standing: Vec<_> = rows.iter().filter(|row| row[0] > 0.5).cloned().collect();
+    let bare = rows.iter().filter(|row| row[3] <= 0.0).count() as f64 / rows.len() as f64;
+    report.at_least("trees in 40,000 cells", standing.len() as f64, 4000.0);
+    report.at_least("part of the cells that the limits or clearings leave bare", bare, 0.1);
+    report.at_least("lowest tree, m (waterline 120)", -largest(&standing, |row| -row[1]), 120.0);
+    report.at_most("highest tree, m (tree line 330 + 40)", largest(&standing, |row| row[1]), 370.0);
+    let steepest = largest(&standing, |row| row[2].atan().to_degrees());
+    report.at_most("steepest ground under a tree, degrees (limit 32)", steepest, 32.01);
+    report.at_least("least cover at a tree", -largest(&standing, |row| -row[3]), 1e-6);
+    report.at_most(
+        "farthest that a tree reaches from its cell's middle, cells",
+        largest(&standing, |row| row[4]),
+        0.96,
+    );
+    let cover = rows.iter().map(|row| row[3]).sum::<f64>() / rows.len() as f64;
+    let share = standing.len() as f64 / rows.len() as f64;
+    report.near("part of the cells with a tree, against the mean of `trees_cover`", share, cover, 0.01);
+    report.finish();
+}
+
+#[test]
+fn a_tree_is_the_same_tree_whatever_the_ray() {
+    let mut report = Report::new("Trees", "a_tree_is_the_same_tree_whatever_the_ray");
+    let fragment = format!(
+        "{RAYS}{}",
+        r#"
+// (hit, apart from the tree that stands in that cell (m, ids included), farther along than from a metre nearer (m))
+fn same_tree(seed: u32) -> vec3f {
+    let origin = ray_origin(seed);
+    let direction = ray_direction(seed);
+    var first: TreeHit;
+    var again: TreeHit;
+    for (var i = 0; i < 2; i++) {
+        // From a metre before the hit, at which the other one is found first if it is nearer.
+        let skip = select(0.0, max(first.distance - 1.0, 0.0), i == 1);
+        var hit = trees_trace(origin + skip * direction, direction, 0.0, 60.0);
+        hit.distance += skip;
+        if i == 0 {
+            first = hit;
+            if !hit.hit {
+                return vec3f(0.0);
+            }
+        } else {
+            again = hit;
+        }
+    }
+    let cell = vec2i(floor(first.tree.foot.xz / trees.spacing));
+    let stands = trees_standing(cell);
+    let apart = length(stands.tree.foot - first.tree.foot) + f32(u32(stands.tree.id != first.id)) * 1000.0
+        + select(1000.0, 0.0, stands.found);
+    return vec3f(1.0, apart, select(1000.0, abs(again.distance - first.distance), again.hit && again.id == first.id));
+}
+"#
+    );
+    let preset = hills();
+    let scope = Scope { includes: TREES, fragment: &fragment, preset: Some(&preset) };
+    let seeds: Vec<_> = (0..4000).map(|seed| [seed as f32]).collect();
+    let rows: Vec<_> = values("same_tree(seed)", &scope, ["seed:u32"], &seeds)
+        .into_iter()
+        .filter(|row| row[0] > 0.5)
+        .collect();
+    report.at_least("rays that meet a tree", rows.len() as f64, 800.0);
+    report.at_most("apart from the tree that stands in its cell, m", largest(&rows, |row| row[1]), 0.0);
+    let other = rows.iter().filter(|row| row[2] > 0.35).count() as f64 / rows.len() as f64;
+    report.at_most("part of the rays that meet another tree or leaf from a metre before it", other, 0.01);
+    report.finish();
+}
+
+#[test]
+fn trees_are_finite_from_anywhere() {
+    let mut report = Report::new("Trees", "trees_are_finite_from_anywhere");
+    let fragment = format!(
+        "{RAYS}{}",
+        r#"
+// (least component of radiance and shadow, largest, hit): bad numbers come out as -1e9.
+fn looked(seed: u32, place: u32) -> vec3f {
+    var origin = ray_origin(seed);
+    var direction = ray_direction(seed);
+    let met = trees_standing(vec2i(floor(origin.xz / trees.spacing)));
+    if place == 0u && met.found {
+        origin = met.tree.foot + vec3f(0.2, 0.6 * met.tree.height, -0.1); // in a crown
+    } else if place == 1u {
+        origin.y -= 80.0;
+    } else if place == 2u {
+        direction = vec3f(0.0, select(-1.0, 1.0, (seed & 1u) == 0u), 0.0);
+    } else if place == 3u {
+        origin = origin - 100000.0 * direction;
+    } else if place == 4u && met.found {
+        origin = met.tree.foot + vec3f(0.0, 0.5 * met.tree.height, 0.0); // on its axis
+        direction = vec3f(0.0, select(-1.0, 1.0, (seed & 1u) == 0u), 0.0);
+    } else if place == 5u {
+        direction = vec3f(select(-1.0, 1.0, (seed & 1u) == 0u), 0.0, 0.0);
+    }
+    let hit = trees_trace(origin, direction, 0.0, 200000.0);
+    let shadow = trees_shadow(origin + hit.distance * direction, 0.1);
+    let radiance = trees_shade(origin, direction, hit, shadow);
+    let all = vec4f(select(vec3f(0.0), radiance, hit.hit), shadow);
+    let bits = bitcast<vec4u>(all) & vec4u(0x7f800000u);
+    if any(bits == vec4u(0x7f800000u)) || !(abs(hit.distance) < 1e9) {
+        return vec3f(-1e9, 1e9, 0.0);
+    }
+    let least = min(min(all.x, all.y), min(all.z, all.w));
+    return vec3f(least, max(max(all.x, all.y), max(all.z, all.w)), f32(u32(hit.hit)));
+}
+"#
+    );
+    let preset = hills();
+    let scope = Scope { includes: TREES, fragment: &fragment, preset: Some(&preset) };
+    let places =
+        ["in crowns", "underground", "straight up and down", "100 km away", "along trunks", "along the grid"];
+    let points: Vec<_> = (0..3000).map(|k| [k as f32, (k % 6) as f32]).collect();
+    let rows = values("looked(seed, place)", &scope, ["seed:u32", "place:u32"], &points);
+    for (place, name) in places.iter().enumerate() {
+        let here: Vec<_> = rows.iter().skip(place).step_by(places.len()).cloned().collect();
+        report.at_least(&format!("{name}: least radiance or light"), -largest(&here, |row| -row[0]), 0.0);
+        report.at_most(&format!("{name}: most radiance or light"), largest(&here, |row| row[1]), 3.0);
+    }
+    let hits = rows.iter().filter(|row| row[2] > 0.5).count() as f64;
+    report.at_least("rays that met a tree", hits, 300.0);
+    report.finish();
+}
+
+#[test]
+fn trees_take_light_and_never_give_it() {
+    let mut report = Report::new("Trees", "trees_take_light_and_never_give_it");
+    let fragment = format!(
+        "{RAYS}{}",
+        r#"
+fn light_left(seed: u32) -> f32 {
+    let origin = ray_origin(seed);
+    let y = terrain_height_filtered(origin.xz, trees.spacing);
+    return trees_shadow(vec3f(origin.x, y, origin.z), 0.05);
+}
+"#
+    );
+    let seeds: Vec<_> = (0..3000).map(|seed| [seed as f32]).collect();
+    for (share, name) in [("0", "no trees"), ("1", "closed woods")] {
+        let mut preset = woods();
+        preset.set(&format!("trees.share={share}")).unwrap();
+        preset.set("sun.elevation=20").unwrap();
+        let scope = Scope { includes: TREES, fragment: &fragment, preset: Some(&preset) };
+        let rows = values("light_left(seed)", &scope, ["seed:u32"], &seeds);
+        report.at_least(&format!("{name}: least light on the ground"), -largest(&rows, |row| -row[0]), 0.0);
+        report.at_most(&format!("{name}: most light on the ground"), largest(&rows, |row| row[0]), 1.0);
+        let mean = rows.iter().map(|row| row[0]).sum::<f64>() / rows.len() as f64;
+        if share == "0" {
+            report.near("no trees: mean light on the ground", mean, 1.0, 0.0);
+        } else {
+            report.at_most("closed woods: mean light on the ground", mean, 0.1);
+        }
+    }
+    let scope = Scope { includes: TREES, fragment: "", preset: None };
+    report.told("farthest that a tree reaches out of its cell, cells", value("TREE_OVERHANG", &scope)[0]);
+    report.finish();
+}
