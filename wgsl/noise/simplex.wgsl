@@ -51,9 +51,9 @@ fn simplex_noise2(p: vec2f, seed: u32) -> f32 {
 
 /// Simplex noise in the plane and its analytic gradient: (value, d/dx, d/dy). Value -.98786 .. .98786.
 ///
-/// Lattice gradients are unit vectors of any direction. Off the ideal lattice's values by at most 1e-6 within 100 of the
-/// origin, 6e-6 at 1e4 and 6e-4 at 1e6: the spacing is rounded to 32 bits, which stretches the noise by 1e-10 and does
-/// not roughen it.
+/// Lattice gradients are unit vectors of any direction. Off the ideal lattice's values by at most 1e-6 within 100 of
+/// the origin, 6e-6 at 1e4 and 6e-4 at 1e6: the spacing is rounded to 32 bits, which stretches the noise by 1e-10 and
+/// does not roughen it.
 fn simplex_noise2_grad(p: vec2f, seed: u32) -> vec3f {
     let triangle = simplex_triangle(p);
     return simplex_sum2(triangle, triangle.columns, triangle.rows, seed);
