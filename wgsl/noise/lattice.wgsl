@@ -51,12 +51,14 @@ fn cell_hash3_tiled(cell: vec3i, period: vec3u, seed: u32) -> CellHash3 {
     return nested_hash3(low, high, pcg(seed));
 }
 
+/// Hashes of the four corners with these coordinates. `key`: hash of all that is fixed for them.
 fn nested_hash2(low: vec2u, high: vec2u, key: u32) -> vec4u {
     let row0 = pcg(low.y + key);
     let row1 = pcg(high.y + key);
     return vec4u(pcg(low.x + row0), pcg(high.x + row0), pcg(low.x + row1), pcg(high.x + row1));
 }
 
+/// Hashes of the eight corners with these coordinates. `key`: the hashed seed.
 fn nested_hash3(low: vec3u, high: vec3u, key: u32) -> CellHash3 {
     return CellHash3(
         nested_hash2(low.xy, high.xy, pcg(low.z + key)),

@@ -99,6 +99,7 @@ fn perlin_noise3_at_grad(cell: vec3i, fraction: vec3f, seed: u32) -> vec4f {
     return perlin_blend3(cell_hash3(cell + vec3i(carry), seed), fraction - carry);
 }
 
+/// (value, gradient) at `t` of a cell, of its corners' hashes.
 fn perlin_blend2(corners: vec4u, t: vec2f) -> vec3f {
     let g00 = perlin_direction2(corners.x);
     let g10 = perlin_direction2(corners.y);
@@ -117,6 +118,7 @@ fn perlin_blend2(corners: vec4u, t: vec2f) -> vec3f {
     return 1.4142 * vec3f(mix(low, high, w.y), carried + blended);
 }
 
+/// As `perlin_blend2`, in space.
 fn perlin_blend3(corners: CellHash3, t: vec3f) -> vec4f {
     // Each corner as (value, gradient): blending them blends both.
     let c000 = perlin_corner3(corners.near.x, t);

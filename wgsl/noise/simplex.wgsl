@@ -51,7 +51,9 @@ fn simplex_noise2(p: vec2f, seed: u32) -> f32 {
 
 /// Simplex noise in the plane and its analytic gradient: (value, d/dx, d/dy). Value -.98786 .. .98786.
 ///
-/// Lattice gradients are unit vectors of any direction. Continuous up to 4e6 from the origin.
+/// Lattice gradients are unit vectors of any direction. Off the ideal lattice's values by at most 1e-6 within 100 of
+/// the origin, 6e-6 at 1e4 and 6e-4 at 1e6: the spacing is rounded to 32 bits, which stretches the noise by 1e-10 and
+/// does not roughen it.
 fn simplex_noise2_grad(p: vec2f, seed: u32) -> vec3f {
     let triangle = simplex_triangle(p);
     return simplex_sum2(triangle, triangle.columns, triangle.rows, seed);
@@ -204,6 +206,7 @@ fn simplex_triangle_at(whole: vec2i, rest: vec2f) -> SimplexTriangle {
     );
 }
 
+/// Each of the three indices, wrapped.
 fn simplex_wrap(indices: vec3i, period: u32) -> vec3i {
     return bitcast<vec3i>(vec3u(
         wrap_cell(indices.x, period),
@@ -226,6 +229,7 @@ fn simplex_hash3(point: vec3u, key: u32) -> u32 {
     return pcg(point.x + pcg(point.y + pcg(point.z + key)));
 }
 
+/// The lattice point's coordinates, wrapped.
 fn simplex_wrap3(point: vec3i, period: vec3u) -> vec3u {
     return vec3u(wrap_cell(point.x, period.x), wrap_cell(point.y, period.y), wrap_cell(point.z, period.z));
 }

@@ -65,6 +65,7 @@ fn value_noise3_tiled(p: vec3f, period: vec3u, seed: u32) -> vec4f {
     return value_blend3(cell_hash3_tiled(vec3i(lattice), period, seed), p - lattice);
 }
 
+/// (value, gradient) at `t` of a cell, of its corners' hashes.
 fn value_blend2(corners: vec4u, t: vec2f) -> vec3f {
     let v = signed_float4(corners);
     let w = quintic_fade2(t);
@@ -77,6 +78,7 @@ fn value_blend2(corners: vec4u, t: vec2f) -> vec3f {
     );
 }
 
+/// As `value_blend2`, in space.
 fn value_blend3(corners: CellHash3, t: vec3f) -> vec4f {
     let near = signed_float4(corners.near);
     let far = signed_float4(corners.far);

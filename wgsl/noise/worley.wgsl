@@ -59,7 +59,7 @@ fn worley_noise3_tiled(p: vec3f, period: vec3u, seed: u32) -> Worley3 {
     return worley_search3(p, max(period, vec3u(1u)), seed);
 }
 
-/// A period of 0 is no period.
+/// The nearest two points, of an endless or a repeating grid: a period of 0 is no period.
 fn worley_search2(p: vec2f, period: vec2u, seed: u32) -> Worley2 {
     let lattice = floor(p);
     let t = p - lattice;
@@ -93,6 +93,7 @@ fn worley_search2(p: vec2f, period: vec2u, seed: u32) -> Worley2 {
     return found;
 }
 
+/// As `worley_search2`, in space.
 fn worley_search3(p: vec3f, period: vec3u, seed: u32) -> Worley3 {
     let lattice = floor(p);
     let t = p - lattice;
