@@ -13,7 +13,7 @@ fn curl_noise_has_no_divergence() {
     let scope = Scope { includes: &["<noise/curl.wgsl>"], ..Scope::default() };
     let largest = |errors: &mut dyn Iterator<Item = f64>| errors.fold(0.0, f64::max);
 
-    let points = Random::new(21).points::<2>(100_000, 100.0);
+    let points = Random::new(21).points::<2>(50_000, 100.0);
     let found = values("curl_noise2(p, 7u)", &scope, ["x", "y"], &points);
     let error = largest(&mut points.iter().zip(&found).map(|(p, row)| {
         let truth = curl2(p.map(f64::from), 7);
@@ -22,13 +22,13 @@ fn curl_noise_has_no_divergence() {
     report.at_most("`curl_noise2`, against f64, relative to its bound", error / 2.9262, 1e-5);
     let longest = largest(&mut found.iter().map(|row| row[0].hypot(row[1])));
     report.at_most("`curl_noise2`, longest", longest, 2.9262);
-    let divergence = largest(&mut points.iter().take(20_000).map(|p| {
+    let divergence = largest(&mut points.iter().take(5_000).map(|p| {
         let along = |axis: usize| gradient(|q| curl2(q, 7)[axis], p.map(f64::from), 1e-4)[axis];
         (along(0) + along(1)).abs()
     }));
     report.at_most("`curl_noise2`, divergence in f64", divergence, 1e-5);
 
-    let points = Random::new(22).points::<3>(100_000, 100.0);
+    let points = Random::new(22).points::<3>(50_000, 100.0);
     let found = values("curl_noise3(p, 7u)", &scope, ["x", "y", "z"], &points);
     let error = largest(&mut points.iter().zip(&found).map(|(p, row)| {
         let truth = curl3(p.map(f64::from), 7);
@@ -36,8 +36,8 @@ fn curl_noise_has_no_divergence() {
     }));
     report.at_most("`curl_noise3`, against f64", error, 1e-5);
     let longest = largest(&mut found.iter().flatten().map(|part| part.abs()));
-    report.at_most("`curl_noise3`, largest component", longest, 8.0);
-    let divergence = largest(&mut points.iter().take(10_000).map(|p| {
+    report.at_most("`curl_noise3`, largest component", longest, 7.24);
+    let divergence = largest(&mut points.iter().take(5_000).map(|p| {
         let along = |axis: usize| gradient(|q| curl3(q, 7)[axis], p.map(f64::from), 1e-4)[axis];
         (along(0) + along(1) + along(2)).abs()
     }));
@@ -59,14 +59,18 @@ fn interleaved_gradient_noise_spreads_over_every_block() {
         .iter()
         .zip(&found)
         .map(|(&[x, y, frame], row)| {
-            let apart = (row[0] - interleaved_gradient([x, y].map(f64::from), frame as u32)).abs();
-            apart.min(1.0 - apart) // 0 and 1 are neighbours
+            // Where the inner fraction returns to 0 the value jumps: a millionth either side counts as there.
+            let apart = |nudge| {
+                let apart = (row[0] - interleaved_gradient([x, y].map(f64::from), frame as u32, nudge)).abs();
+                apart.min(1.0 - apart) // 0 and 1 are neighbours
+            };
+            [0.0, -1e-6, 1e-6].map(apart).into_iter().fold(1.0, f64::min)
         })
         .fold(0.0, f64::max);
     report.at_most(
         "`interleaved_gradient_noise`, against f64 over 8192 x 8192 pixels and 64 frames",
         error,
-        2e-5,
+        1e-4,
     );
     let outside = found.iter().filter(|row| !(0.0..1.0).contains(&row[0])).count();
     report.at_most("`interleaved_gradient_noise`, places outside 0 <= value < 1", outside as f64, 0.0);

@@ -52,46 +52,67 @@ fn congruential(value: u32) -> u32 {
     value.wrapping_mul(1_664_525).wrapping_add(1_013_904_223)
 }
 
-/// How far from one half the top 24 bits of [`pcg`] are from flipping with each bit of the input; the worst pair.
-#[must_use]
-pub fn avalanche_bias_of_pcg() -> f64 {
-    avalanche_bias(|value: [u32; 1]| value.map(pcg))
+/// How unlike a coin's the top 24 bits of a hash are when one bit of the input flips: how far from one half the part of the
+/// flips is that flips them. The worst bit counts.
+#[derive(Debug, Clone, Copy)]
+pub struct Avalanche {
+    /// Over flips of any of the low 16 bits of any input: those that tell cells from their neighbours.
+    pub bit: f64,
+    /// Over flips of one of the low 16 bits of one input, the worst one.
+    pub pair: f64,
+    /// Over flips of one bit of one input, the worst of all 32.
+    pub any_pair: f64,
 }
 
-/// As [`avalanche_bias_of_pcg`], of [`pcg2d`].
+/// Of [`pcg`].
 #[must_use]
-pub fn avalanche_bias_of_pcg2d() -> f64 {
-    avalanche_bias(pcg2d)
+pub fn avalanche_of_pcg() -> Avalanche {
+    avalanche(|value: [u32; 1]| value.map(pcg))
 }
 
-/// As [`avalanche_bias_of_pcg`], of [`pcg3d`].
+/// Of [`pcg2d`].
 #[must_use]
-pub fn avalanche_bias_of_pcg3d() -> f64 {
-    avalanche_bias(pcg3d)
+pub fn avalanche_of_pcg2d() -> Avalanche {
+    avalanche(pcg2d)
 }
 
-fn avalanche_bias<const N: usize>(hash: impl Fn([u32; N]) -> [u32; N]) -> f64 {
-    const SAMPLES: u32 = 1 << 18;
+/// Of [`pcg3d`].
+#[must_use]
+pub fn avalanche_of_pcg3d() -> Avalanche {
+    avalanche(pcg3d)
+}
+
+fn avalanche<const N: usize>(hash: impl Fn([u32; N]) -> [u32; N]) -> Avalanche {
+    let [bit, pair] = biases(&hash, 16, 1 << 18);
+    let [_, any_pair] = biases(&hash, 32, 1 << 14);
+    Avalanche { bit, pair, any_pair }
+}
+
+/// The worst bias of an output bit over flips of all of the low `width` bits of the inputs, and over flips of one of them.
+fn biases<const N: usize>(hash: &impl Fn([u32; N]) -> [u32; N], width: usize, samples: u32) -> [f64; 2] {
     let mut random = crate::points::Random::new(1);
-    // By input word, input bit, output word, output bit.
-    let mut flips = vec![[[[0_u32; 24]; N]; 32]; N];
-    for _ in 0..SAMPLES {
+    // By input bit, output word, output bit.
+    let mut flips = vec![[[0_u32; 24]; N]; width * N];
+    for _ in 0..samples {
         let value: [u32; N] = std::array::from_fn(|_| random.bits());
         let before = hash(value);
-        for (word, flips) in flips.iter_mut().enumerate() {
-            for (bit, flips) in flips.iter_mut().enumerate() {
-                let mut moved = value;
-                moved[word] ^= 1 << bit;
-                let after = hash(moved);
-                for (output, flips) in flips.iter_mut().enumerate() {
-                    let changed = before[output] ^ after[output];
-                    for (bit, flips) in flips.iter_mut().enumerate() {
-                        *flips += changed >> (8 + bit) & 1;
-                    }
+        for (bit, flips) in flips.iter_mut().enumerate() {
+            let mut moved = value;
+            moved[bit / width] ^= 1 << (bit % width);
+            let after = hash(moved);
+            for (word, flips) in flips.iter_mut().enumerate() {
+                let changed = before[word] ^ after[word];
+                for (bit, flips) in flips.iter_mut().enumerate() {
+                    *flips += changed >> (8 + bit) & 1;
                 }
             }
         }
     }
-    let counts = flips.as_flattened().as_flattened().as_flattened();
-    counts.iter().map(|&count| (f64::from(count) / f64::from(SAMPLES) - 0.5).abs()).fold(0.0, f64::max)
+    let bias = |count: u32, of: u32| (f64::from(count) / f64::from(of) - 0.5).abs();
+    let pairs = flips.iter().flatten().flatten().map(|&count| bias(count, samples));
+    let bits = (0..24 * N).map(|bit| {
+        let count = flips.iter().map(|flips| flips[bit / 24][bit % 24]).sum();
+        bias(count, samples * flips.len() as u32)
+    });
+    [bits.fold(0.0, f64::max), pairs.fold(0.0, f64::max)]
 }

@@ -12,7 +12,7 @@ fn curl_noise2(p: vec2f, seed: u32) -> vec2f {
     return vec2f(slope.y, -slope.x);
 }
 
-/// Flow in space: the curl of three Perlin noises. Divergence zero; each component within -8 .. 8.
+/// Flow in space: the curl of three Perlin noises. Divergence zero; each component within -7.24 .. 7.24.
 fn curl_noise3(p: vec3f, seed: u32) -> vec3f {
     let key = pcg(seed);
     var flow = vec3f(0.0);

@@ -44,7 +44,7 @@ struct SimplexTetrahedron {
     point_d: vec3i,
 }
 
-/// Simplex noise in the plane, -.98786 .. .98786, zero at its lattice points. Variance 0.1.
+/// Simplex noise in the plane, -.98786 .. .98786, zero at its lattice points. Variance 0.284.
 fn simplex_noise2(p: vec2f, seed: u32) -> f32 {
     return simplex_noise2_grad(p, seed).x;
 }
@@ -74,7 +74,7 @@ fn simplex_noise2_tiled(p: vec2f, period: vec2u, seed: u32) -> vec3f {
     let middle = floor(p + 0.5);
     let cell = vec2i(middle);
     let wrapped = vec2u(wrap_cell(cell.x, span.x), wrap_cell(cell.y, span.y));
-    let near = bitcast<vec2i>(select(wrapped, wrapped - span, wrapped > span / 2u));
+    let near = bitcast<vec2i>(wrapped - span * vec2u(wrapped > span / 2u));
     // near * spare / span, whole part and remainder: the integers may overflow, their difference does not.
     let whole = vec2i(round(vec2f(near) * excess));
     let rest = vec2f(near * bitcast<vec2i>(spare) - whole * bitcast<vec2i>(span)) / across;
@@ -103,7 +103,7 @@ fn simplex_noise2_jet(p: vec2f, seed: u32) -> Jet2 {
     return Jet2(first.x, first.yz, second);
 }
 
-/// Simplex noise in space, -.98854 .. .98854, zero at its lattice points. Variance 0.1.
+/// Simplex noise in space, -.98854 .. .98854, zero at its lattice points. Variance 0.1505.
 fn simplex_noise3(p: vec3f, seed: u32) -> f32 {
     return simplex_noise3_grad(p, seed).x;
 }

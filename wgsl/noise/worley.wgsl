@@ -75,8 +75,8 @@ fn worley_search2(p: vec2f, period: vec2u, seed: u32) -> Worley2 {
     }
     // What lies beyond is at least 1 away. The next ring's far side is at least 2 away, farther than any second point.
     if found.f2 > 1.0 {
-        let low = select(vec2i(-1), vec2i(-2), (1.0 + t) * (1.0 + t) < vec2f(found.f2));
-        let high = select(vec2i(1), vec2i(2), (2.0 - t) * (2.0 - t) < vec2f(found.f2));
+        let low = vec2i(-1) - vec2i((1.0 + t) * (1.0 + t) < vec2f(found.f2));
+        let high = vec2i(1) + vec2i((2.0 - t) * (2.0 - t) < vec2f(found.f2));
         for (var j = low.y; j <= high.y; j++) {
             let row = pcg(worley_wrap(home.y + j, period.y) + key);
             let searched = abs(j) < 2; // in this row only the ends are new
@@ -109,8 +109,8 @@ fn worley_search3(p: vec3f, period: vec3u, seed: u32) -> Worley3 {
         }
     }
     if found.f2 > 1.0 {
-        let low = select(vec3i(-1), vec3i(-2), (1.0 + t) * (1.0 + t) < vec3f(found.f2));
-        let high = select(vec3i(1), vec3i(2), (2.0 - t) * (2.0 - t) < vec3f(found.f2));
+        let low = vec3i(-1) - vec3i((1.0 + t) * (1.0 + t) < vec3f(found.f2));
+        let high = vec3i(1) + vec3i((2.0 - t) * (2.0 - t) < vec3f(found.f2));
         for (var k = low.z; k <= high.z; k++) {
             let slice = pcg(worley_wrap(home.z + k, period.z) + key);
             for (var j = low.y; j <= high.y; j++) {

@@ -87,6 +87,26 @@ pub fn perlin3(at: [f64; 3]) -> f64 {
     0.9645 * sum
 }
 
+/// The steepest that Perlin noise of space can be along x at a place of a cell; y and z are no different.
+#[must_use]
+pub fn perlin3_along_x(at: [f64; 3]) -> f64 {
+    let sum: f64 = (0..8)
+        .map(|corner| {
+            let mut sides = [[0.0; 3]; 3];
+            let offset: [f64; 3] = std::array::from_fn(|axis| {
+                let far = corner >> axis & 1 == 1;
+                sides[axis] = fade(at[axis], far);
+                at[axis] - f64::from(u8::from(far))
+            });
+            let across = sides[1][0] * sides[2][0];
+            // The derivative of weight times g·offset, as a vector that g is multiplied with.
+            let steepened = offset.map(|part| part * sides[0][1] * across);
+            best_edge([steepened[0] + sides[0][0] * across, steepened[1], steepened[2]])
+        })
+        .sum();
+    0.9645 * sum
+}
+
 /// The largest value that simplex noise of space can have at a place of a cube of its lattice.
 #[must_use]
 pub fn simplex3(at: [f64; 3]) -> f64 {
