@@ -41,8 +41,9 @@ fn damped(p: vec2f, octaves: f32) -> vec3f { return eased_damped2(p, 3u, octaves
 fn warp(p: vec2f, octaves: f32) -> vec3f { return bent_warp2(p, 3u, 1.7, 0.3); }
 ";
 
-/// How many octaves the fractals are measured with: four whole ones and a third. The finer the octave, the farther out it is
-/// taken: the fifth at a thousand cells, where f32 places a point to 6e-5 of a cell. That is most of the error below.
+/// How many octaves the fractals are measured with: four whole ones and a third. The finer the octave, the farther out
+/// it is taken: the fifth at a thousand cells, where f32 places a point to 6e-5 of a cell. That is most of the error
+/// below.
 const COUNT: f64 = 4.3;
 /// Their gain and lacunarity; `hybrid` has a gain of .8.
 const OCTAVES: Octaves = Octaves { count: COUNT, gain: 0.5, lacunarity: 2.03 };
@@ -249,9 +250,16 @@ fn promised(which: u32, octaves: f32) -> vec3f {
     let sum = plain_fbm_bound(octaves, 0.5);
     switch which {
         case 0u: { return vec3f(-sum, sum, plain_fbm_slope_bound(octaves, 0.5, 2.03, slope)); }
-        case 1u: { return vec3f(hills_billow_bound(octaves, 0.5), hills_billow_slope_bound(octaves, 0.5, 2.03, 0.2, slope)); }
-        case 2u: { return vec3f(range_ridged_bound(octaves, 0.5), range_ridged_slope_bound(octaves, 0.5, 2.03, 2.0, slope)); }
-        case 3u: { return vec3f(mixed_hybrid_bound(octaves, 0.8, 0.7), mixed_hybrid_slope_bound(octaves, 0.8, 2.03, 0.7, slope)); }
+        case 1u: {
+            return vec3f(hills_billow_bound(octaves, 0.5), hills_billow_slope_bound(octaves, 0.5, 2.03, 0.2, slope));
+        }
+        case 2u: {
+            return vec3f(range_ridged_bound(octaves, 0.5), range_ridged_slope_bound(octaves, 0.5, 2.03, 2.0, slope));
+        }
+        case 3u: {
+            let range = mixed_hybrid_bound(octaves, 0.8, 0.7);
+            return vec3f(range, mixed_hybrid_slope_bound(octaves, 0.8, 2.03, 0.7, slope));
+        }
         case 4u: {
             let bound = eased_damped_slope_bound(octaves, 0.5, 2.03, 0.4, slope, PERLIN_NOISE2_CURVATURE);
             let most = eased_damped_bound(octaves, 0.5);
@@ -274,14 +282,13 @@ fn extremes(which: u32, k: u32) -> vec3f {
     }
     return found;
 }
-/// The largest change of value and of slope from k - 1e-4 to k + 1e-4 octaves, k = 1 .. 7, over that of octave k alone.
+/// The largest change of value and of slope from k - 1e-4 to k + 1e-4 octaves, k = 1 .. 7.
 fn jump(which: u32, k: u32) -> vec2f {
     var worst = vec2f(0.0);
     for (var i = 1u; i < 8u; i++) {
         let p = 40.0 * unit_float2(pcg2d(vec2u(k, i))) - 20.0;
         let change = numbered(which, p, f32(i) + 1e-4) - numbered(which, p, f32(i) - 1e-4);
-        let found = abs(vec2f(change.x, length(change.yz)));
-        worst = max(worst, found);
+        worst = max(worst, vec2f(abs(change.x), length(change.yz)));
     }
     return worst;
 }
@@ -383,7 +390,9 @@ fn jets_are_the_fractals_with_their_second_derivatives() {
 }
 
 const ANY_LAND: &str = "
-fn at_random(k: u32, i: u32, low: f32, high: f32) -> f32 { return mix(low, high, unit_float(pcg_cell2(vec2i(vec2u(k, i)), 11u))); }
+fn at_random(k: u32, i: u32, low: f32, high: f32) -> f32 {
+    return mix(low, high, unit_float(pcg_cell2(vec2i(vec2u(k, i)), 11u)));
+}
 /// The largest change over the strength, and how many results are no numbers: any land, however wild.
 fn largest_change(k: u32) -> vec2f {
     var found = vec2f(0.0);
@@ -392,7 +401,8 @@ fn largest_change(k: u32) -> vec2f {
         let p = vec2f(at_random(k, n, -99.0, 99.0), at_random(k, n + 1u, -99.0, 99.0));
         let level = select(0.0, 1.0, (i & 7u) != 0u); // an eighth of it level
         let steep = level * vec2f(at_random(k, n + 2u, -3.0, 3.0), at_random(k, n + 3u, -3.0, 3.0));
-        let bend = vec3f(at_random(k, n + 4u, -9.0, 9.0), at_random(k, n + 5u, -9.0, 9.0), at_random(k, n + 6u, -9.0, 9.0));
+        let bend_x = vec2f(at_random(k, n + 4u, -9.0, 9.0), at_random(k, n + 5u, -9.0, 9.0));
+        let bend = vec3f(bend_x, at_random(k, n + 6u, -9.0, 9.0));
         let land = Jet2(at_random(k, n + 7u, -2.0, 2.0), steep, bend);
         let how = Erosion(
             at_random(k, n + 8u, 0.1, 3.0), 0.3, at_random(k, n + 9u, 0.0, 8.0), at_random(k, n + 10u, 0.1, 0.9),
@@ -458,8 +468,8 @@ fn sixteen(at: u32, cells: f32, gain: f32, blocky: u32) -> mat4x4f {
 ";
 const SIZE: usize = 2048;
 
-/// An octave's power has a hump, so the sum's spectrum has ripples, an octave long, on its line. Three maps a third of an
-/// octave apart, 5, 6.3 and 7.94 cells of the first octave across, have them at different places; the mean of their
+/// An octave's power has a hump, so the sum's spectrum has ripples, an octave long, on its line. Three maps a third of
+/// an octave apart, 5, 6.3 and 7.94 cells of the first octave across, have them at different places; the mean of their
 /// logarithms is fitted.
 #[test]
 fn spectra_of_fbm_fall_as_the_hurst_exponent_says() {

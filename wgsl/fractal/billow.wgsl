@@ -11,8 +11,8 @@ const MEAN_BILLOW: f32 = 0.245;
 /// Round hills between creases where the noise crosses zero, with the analytic gradient: (value, d/dx, d/dy).
 ///
 /// The first octave is |n|, 0 .. 1 (Perlin 1985, "turbulence"). Each later one is the same less its mean, `gain` times
-/// as strong as the one before. `roundness` >= 0 rounds the creases: |n| becomes (sqrt(n² + r²) - r)/(sqrt(1 + r²) - r),
-/// still 0 .. 1; at 0 the gradient jumps where an octave crosses zero. `octaves` may be fractional, 0 .. 16. Value
+/// as strong as the one before. `roundness` >= 0 rounds the creases: |n| becomes (sqrt(n² + r²) - r)/(sqrt(1 + r²) -
+/// r), still 0 .. 1; at 0 the gradient jumps where an octave crosses zero. `octaves` may be fractional, 0 .. 16. Value
 /// within `billow_bound(octaves, gain)`.
 fn billow2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, roundness: f32) -> vec3f {
     let scale = 1.0 / (sqrt(1.0 + roundness * roundness) - roundness);
@@ -28,7 +28,7 @@ fn billow2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, roundn
         }
         let n = noise2(q + f32(i) * FRACTAL_SHIFT, seed + u32(i));
         let height = sqrt(n.x * n.x + roundness * roundness);
-        let slope = (scale * n.x / max(height, 1e-9)) * (n.yz * to_octave); // a row vector times M is Mᵀ times the vector
+        let slope = (scale * n.x / max(height, 1e-9)) * (n.yz * to_octave); // row vector times M: Mᵀ times the vector
         sum += strength * presence * vec3f(scale * (height - roundness) - mean, slope);
         mean = MEAN_BILLOW;
         strength *= gain;

@@ -6,8 +6,8 @@
 /// The noise with its first and second derivatives, value -1 .. 1.
 #slot noise2: fn(p: vec2f, seed: u32) -> Jet2
 
-/// Sum of octaves, each divided by 1 + `damping` |G|² where G is the gradient of the sum of this octave and those before
-/// it, undamped; with the exact gradient: (value, d/dx, d/dy).
+/// Sum of octaves, each divided by 1 + `damping` |G|² where G is the gradient of the sum of this octave and those
+/// before it, undamped; with the exact gradient: (value, d/dx, d/dy).
 ///
 /// Where the coarse octaves are steep the fine ones are weak (Quilez 2008, "Value noise derivatives"). The gradient
 /// needs the noise's second derivatives, for the damping varies too. `octaves` may be fractional, 0 .. 16; `damping` >=
@@ -43,11 +43,11 @@ fn damped_bound(octaves: f32, gain: f32) -> f32 {
     return octave_sum(octaves, gain);
 }
 
-/// A slope that `damped2` nowhere exceeds, where the noise's slope nowhere exceeds `noise_slope` and its second derivative
-/// in any direction `noise_bend`: its Lipschitz bound.
+/// A slope that `damped2` nowhere exceeds, where the noise's slope nowhere exceeds `noise_slope` and its second
+/// derivative in any direction `noise_bend`: its Lipschitz bound.
 ///
-/// 2 damping |G| / (1 + damping |G|²)² is at most 0.6496 sqrt(damping), where damping |G|² = 1/3. Far from tight at many
-/// octaves: 2 to 5 times what is found.
+/// 2 damping |G| / (1 + damping |G|²)² is at most 0.6496 sqrt(damping), where damping |G|² = 1/3. Far from tight at
+/// many octaves: 2 to 5 times what is found.
 fn damped_slope_bound(
     octaves: f32,
     gain: f32,

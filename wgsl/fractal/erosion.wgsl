@@ -22,8 +22,8 @@ struct Erosion {
     /// The slope (rise over run) that steers the gullies in place of the land's own, which gives but the direction:
     /// the gentler, the more do tributaries leave the fall line. About 1 .. 4 times strength / width.
     assumed_slope: f32,
-    /// Land of this slope is eroded half as much as steep land; level land is not. About half the usual slope: less, and
-    /// the gullies of both sides of a crest tear it where they meet.
+    /// Land of this slope is eroded half as much as steep land; level land is not. About half the usual slope: less,
+    /// and the gullies of both sides of a crest tear it where they meet.
     level_slope: f32,
     /// How round the crests between gullies are: .03 crisp, 1 waves.
     crest_roundness: f32,
@@ -54,8 +54,8 @@ struct ErosionWave {
 ///
 /// `land`: height, gradient and second derivatives there. The smoother it is on the scale of `how.width`, the better:
 /// where the fall line turns about within less, gullies tear; erode few octaves and add the fine ones after.
-/// Near `how.top` the land is raised by up to the strength, near `how.bottom` lowered, and so it is on level ground, less
-/// in between: toward there the gullies fade. Crests stay where they are whatever the number of octaves.
+/// Near `how.top` the land is raised by up to the strength, near `how.bottom` lowered, and so it is on level ground,
+/// less in between: toward there the gullies fade. Crests stay where they are whatever the number of octaves.
 /// Its slope has no useful bound (the fall line may turn at once where the land is level): a march that must not miss
 /// takes the land's bound with how.strength added to its height, or falls back to a tested step. Sixteen cells an
 /// octave, of which about half count.
@@ -91,11 +91,11 @@ fn erosion2(p: vec2f, land: Jet2, how: Erosion, seed: u32) -> vec3f {
             break;
         }
         // Stripes across the slope: the wave vector, per cell, and its derivatives, per unit of p.
-        let inverse = inverseSqrt(dot(slope, slope) + blunt);
-        let down = inverse * slope;
+        let shorter = inverseSqrt(dot(slope, slope) + blunt);
+        let down = shorter * slope;
         let down_along = down * slope_turn;
-        let down_x = inverse * (slope_turn[0] - down_along.x * down);
-        let down_y = inverse * (slope_turn[1] - down_along.y * down);
+        let down_x = shorter * (slope_turn[0] - down_along.x * down);
+        let down_y = shorter * (slope_turn[1] - down_along.y * down);
         let wave = EROSION_TAU * vec2f(-down.y, down.x);
         let wave_turn = EROSION_TAU * mat2x2f(vec2f(-down_x.y, down_x.x), vec2f(-down_y.y, down_y.x));
         let stripes = erosion_wave(p / cell, wave, cell * wave_turn, seed + u32(i));
@@ -139,7 +139,7 @@ fn erosion_wave(q: vec2f, wave: vec2f, turn: mat2x2f, seed: u32) -> ErosionWave 
     let key = pcg(seed);
     var even = vec3f(0.0);
     var odd = vec3f(0.0);
-    var all = vec3f(0.0);
+    var total = vec3f(0.0);
     for (var j = -1; j <= 2; j++) {
         for (var i = -1; i <= 2; i++) {
             let bits = pcg2d(bitcast<vec2u>(corner + vec2i(i, j)) + key);
@@ -158,13 +158,13 @@ fn erosion_wave(q: vec2f, wave: vec2f, turn: mat2x2f, seed: u32) -> ErosionWave 
             let advance = weight * (wave + offset * turn); // the wave vector turns while q moves
             even += vec3f(weight * c, c * fading - s * advance);
             odd += vec3f(weight * s, s * fading + c * advance);
-            all += vec3f(weight, fading);
+            total += vec3f(weight, fading);
         }
     }
     // Waves of neighbouring cells cancel here and there; make up for most of it, but let a gully end where they do.
     let floor2 = EROSION_FLOOR * EROSION_FLOOR;
-    let size = sqrt(even.x * even.x + odd.x * odd.x + floor2 * all.x * all.x);
-    let size_slope = (even.x * even.yz + odd.x * odd.yz + floor2 * all.x * all.yz) / size;
+    let size = sqrt(even.x * even.x + odd.x * odd.x + floor2 * total.x * total.x);
+    let size_slope = (even.x * even.yz + odd.x * odd.yz + floor2 * total.x * total.yz) / size;
     let scale = sqrt(1.0 + floor2) / size;
     let log_slope = size_slope / size;
     return ErosionWave(

@@ -12,7 +12,8 @@
 /// Octave i has `gain`^i times the strength and `lacunarity`^i times the frequency of the first; the weight is the
 /// product of all octaves before, at most 1. Musgrave (`offset` 0.7, gain = lacunarity^-0.25) cuts it off there; here a
 /// parabola leads up to 1, so that the gradient is continuous. `offset` 0 .. 1. `octaves` may be fractional, 0 .. 16;
-/// as the terms are not centred, land with fewer octaves lies lower. Value within `hybrid_bound(octaves, gain, offset)`.
+/// as the terms are not centred, land with fewer octaves lies lower. Value within `hybrid_bound(octaves, gain,
+/// offset)`.
 fn hybrid2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, offset: f32) -> vec3f {
     var sum = vec3f(0.0);
     var weight = vec3f(1.0, 0.0, 0.0); // with its gradient

@@ -12,9 +12,9 @@ const MEAN_RIDGE: f32 = 0.606;
 /// Ridges where the noise crosses zero, with the analytic gradient: (value, d/dx, d/dy).
 ///
 /// The first octave is (1 - |n|)², 0 .. 1. Each later one is the same less its mean, `gain` times as strong as the one
-/// before and weighted by what the octave before reached there: crests are rough, hollows smooth. `sharpness` > 0 is how
-/// strongly (Musgrave: 2). `roundness`, 0 .. 1, rounds the crests: 0 is a knife's edge, where the gradient jumps, .1 an
-/// old range. `octaves` may be fractional, 0 .. 16. Value within `ridged_bound(octaves, gain)`.
+/// before and weighted by what the octave before reached there: crests are rough, hollows smooth. `sharpness` > 0 is
+/// how strongly (Musgrave: 2). `roundness`, 0 .. 1, rounds the crests: 0 is a knife's edge, where the gradient jumps,
+/// .1 an old range. `octaves` may be fractional, 0 .. 16. Value within `ridged_bound(octaves, gain)`.
 fn ridged2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, sharpness: f32, roundness: f32) -> vec3f {
     var sum = vec3f(0.0);
     var weight = vec3f(1.0, 0.0, 0.0); // with its gradient
@@ -34,7 +34,8 @@ fn ridged2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, sharpn
         let signal = vec3f(ridge * ridge, slope);
         let centred = signal.x - mean;
         sum += strength * presence * vec3f(weight.x * centred, weight.x * signal.yz + weight.yz * centred);
-        // Musgrave clamps sharpness · signal to 1; this parabola gets there without a kink, so the gradient is continuous.
+        // Musgrave clamps sharpness · signal to 1; this parabola gets there without a kink, so the gradient is
+        // continuous.
         let rest = max(1.0 - 0.5 * sharpness * signal.x, 0.0);
         weight = vec3f(1.0 - rest * rest, rest * sharpness * signal.yz);
         mean = MEAN_RIDGE;

@@ -8,9 +8,9 @@
 /// relief(p / size + strength · (drift₁(p / size), drift₂(p / size))) with its gradient by the chain rule, exact:
 /// (value, d/dx, d/dy).
 ///
-/// fbm(p/h + γ fbm′(p)) where both slots are fBm. `size` > 0: length of the relief's unit, in units of `p`. `strength`: in
-/// units of the relief. The drifts have the seeds `seed` + 71 and + 72. Range: the relief's own. A fold (the map p → q
-/// no longer one to one) is possible from strength · drift's slope = 1 upward, and looks like flow.
+/// fbm(p/h + γ fbm′(p)) where both slots are fBm. `size` > 0: length of the relief's unit, in units of `p`. `strength`:
+/// in units of the relief. The drifts have the seeds `seed` + 71 and + 72. Range: the relief's own. A fold (the map p →
+/// q no longer one to one) is possible from strength · drift's slope = 1 upward, and looks like flow.
 fn warp2(p: vec2f, seed: u32, size: f32, strength: f32) -> vec3f {
     let at = p / size;
     var q = at;
