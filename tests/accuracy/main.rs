@@ -11,3 +11,4 @@
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]
 
 mod harness;
+mod march;

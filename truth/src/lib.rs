@@ -5,4 +5,5 @@
 //! input. Hashes are the same integers on both sides.
 
 pub mod hash;
+pub mod march;
 pub mod points;

@@ -68,8 +68,8 @@ struct Bounded {
 /// `direction` is a unit vector. Looks from `start` (m) on as far as `far` (m), from above counted from where the ray
 /// comes below what the octaves can add up to. The ray has met the ground where it is less than the tolerance above it,
 /// which is `tolerance` or what f32 rounds at that distance if that is more; from there the crossing is found along the
-/// slope. Up to the distance returned the ray is nowhere below the ground, as far as `octave_bounds` holds: no crossing
-/// is ever passed over. Running out of steps counts as meeting the ground. A ray that starts below the ground ends at
+/// slope, by four tolerances at most. Up to there the ray is nowhere below the ground, as far as `octave_bounds` holds: no
+/// crossing is ever passed over. Running out of steps counts as meeting the ground. A ray that starts below it ends at
 /// once. `evaluations` are of single octaves; there is one a step.
 fn march(origin: vec3f, direction: vec3f, start: f32, far: f32, how: Bounded) -> MarchHit {
     let octaves = clamp(how.octaves, 0.0, 16.0);
@@ -130,7 +130,8 @@ fn march(origin: vec3f, direction: vec3f, start: f32, far: f32, how: Bounded) ->
         let rounding = roundings * (abs(at.x) + abs(at.y) + abs(at.z));
         let tolerance = max(how.tolerance + 0.1 * how.pixel_angle * t, 2.0 * rounding);
         if above + 2.0 * error <= tolerance {
-            let beyond = max(above + error, 0.0) / max(here.slope - direction.y, 0.25 * tolerance);
+            let slope = here.plain_slope * (1.0 + part.y * here.rugged.x) + part.x * here.rugged_slope;
+            let beyond = max(above + error, 0.0) / max(slope - direction.y, 1e-6);
             return MarchHit(t + min(beyond, 4.0 * tolerance), true, steps, steps);
         }
 
@@ -213,8 +214,9 @@ struct Relief {
     /// How far either height can be from the middle of what is possible (m).
     plain_error: f32,
     rugged_error: f32,
-    /// Slope of all models.
-    slope: f32,
+    /// Slopes of both by the models.
+    plain_slope: f32,
+    rugged_slope: f32,
     /// The octave that is known worst: what its error amounts to (m), its index, its curvature.
     worst: vec3f,
 }
@@ -274,7 +276,8 @@ fn add_octaves(
     result.plain_error += dot(plain, error);
     result.rugged_error += dot(rugged, error);
     let weight = plain * weights.x + rugged * weights.y;
-    result.slope += dot(presence * weight, four.slope);
+    result.plain_slope += dot(plain * presence, four.slope);
+    result.rugged_slope += dot(rugged * presence, four.slope);
     let matters = error * weight;
     for (var i = 0; i < 4; i++) {
         result.worst = select(result.worst, vec3f(matters[i], index[i], four.bend[i]), matters[i] > result.worst.x);
