@@ -15,6 +15,7 @@ mod fractal;
 mod geometry;
 mod harness;
 mod light;
+mod march;
 mod noise;
 mod noise_cells;
 mod noise_flow;

@@ -9,6 +9,7 @@ pub mod fractal;
 pub mod geometry;
 pub mod hash;
 pub mod light;
+pub mod march;
 pub mod noise;
 pub mod oklab;
 pub mod points;

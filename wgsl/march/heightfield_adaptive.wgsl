@@ -24,8 +24,8 @@ struct Adaptive {
 
 /// First crossing of the ground along a ray.
 ///
-/// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far to look, from
-/// above counted from where the ray comes below the ceiling. A ray that starts below the ground ends at once, with
+/// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far to look,
+/// from above counted from where the ray comes below the ceiling. A ray that starts below the ground ends at once, with
 /// distance 0. Running out of steps counts as meeting the ground: steps are short only where the ray grazes it. What is
 /// missed is a crest that lies between two steps: tested, not proven. After the halvings the crossing is where a line
 /// through both ends of what is left meets the ground.

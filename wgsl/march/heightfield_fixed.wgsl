@@ -8,7 +8,8 @@
 /// First crossing of the ground along a ray, taken as a straight line between the two steps around it.
 ///
 /// `direction` is a unit vector; looks from the origin to `far` (m) in `count` >= 1 steps. `ceiling` (m): a height that
-/// the ground nowhere exceeds; above it nothing is looked for. Misses what lies between two steps. A ray that starts below the ground ends at once.
+/// the ground nowhere exceeds; above it nothing is looked for. Misses what lies between two steps. A ray that starts
+/// below the ground ends at once.
 fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, count: i32, pixel_angle: f32) -> MarchHit {
     let length = far / f32(max(count, 1));
     var above_before = 0.0;

@@ -9,9 +9,9 @@
 ///
 /// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far to look.
 /// `relax`: part of the height above ground that one step covers; 1 / (steepest slope + steepest ray) misses nothing,
-/// more than that skips thin crests. `error` is the part of a metre by which a hit may float a metre away: a pixel's angle, say.
-/// Running out of steps counts as meeting the ground. Where it has stepped below the ground, it goes back by the
-/// depth.
+/// more than that skips thin crests. `error` is the part of a metre by which a hit may float a metre away: a pixel's
+/// angle, say. Running out of steps counts as meeting the ground. Where it has stepped below the ground, it goes back
+/// by the depth.
 fn march(
     origin: vec3f,
     direction: vec3f,
