@@ -62,6 +62,12 @@
 /// Height of the roughness: boulders, humps and hollows.
 #param terrain.detail: f32 = 110.0, range 0 .. 500, unit m
 
+// The two octaves of the wide map.
+const WIDE_PLACE: vec2f = vec2f(3.7, 9.2);
+const WIDE_SEED: u32 = 101u;
+const WIDE_GAIN: f32 = 0.4;
+const WIDE_LACUNARITY: f32 = 2.0;
+
 /// Forms of the relief at `q` (in widths of the largest ones): (0 .. about 1, slope per width).
 fn mountains_forms(q: vec2f, octaves: f32) -> vec3f {
 #if terrain.relief == ridged
@@ -150,8 +156,9 @@ fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
 #if terrain.dual
 /// The wide map: where the land is high and rugged and where it is plain, about -1 .. 1.
 fn mountains_wide(p: vec2f) -> Jet2 {
-    let per_metre = 1.0 / terrain.region;
-    return jet2_per(smooth_fbm2_jet(per_metre * p + vec2f(3.7, 9.2), terrain.seed + 101u, 2.0, 0.4, 2.0), per_metre);
+    let place = p / terrain.region + WIDE_PLACE;
+    let wide = smooth_fbm2_jet(place, terrain.seed + WIDE_SEED, 2.0, WIDE_GAIN, WIDE_LACUNARITY);
+    return jet2_per(wide, 1.0 / terrain.region);
 }
 #endif
 

@@ -2,12 +2,20 @@
 
 #include <camera/camera.wgsl>
 #include <light/outdoor.wgsl>
-#include <march/heightfield.wgsl> as land with height = terrain_height_filtered
+#include <march/hit.wgsl>
+#include <march/shadow.wgsl> as land with height = terrain_height_filtered
 #include <quality.wgsl>
 #include <sky/gradient.wgsl>
 #include <sun/sun.wgsl>
 #include <terrain/height.wgsl>
 #include <terrain/material.wgsl>
+// A plain sum of octaves is marched without missing anything; other reliefs by steps that tests have shown to be safe.
+#if terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
+#include <march/heightfield_bounded.wgsl> as land with octave = sum_octave, octave_bounds = sum_octave_bounds, ruggedness = sum_ruggedness
+#include <terrain/sum.wgsl>
+#else
+#include <march/heightfield_adaptive.wgsl> as land with height = terrain_height_filtered
+#endif
 
 /// How far away land is still looked for.
 #param terrain.far: f32 = 45000.0, range 100 .. 1000000, log, unit m
@@ -45,10 +53,19 @@ const LAND_DETAIL: f32 = 0.7;
 #endif
 
 /// Where a ray meets the land.
-fn terrain_trace(origin: vec3f, direction: vec3f) -> land_Hit {
-    let pixel_angle = camera_pixel_angle();
-    let how = land_March(0.05, LAND_GROWTH, LAND_RELAX, LAND_STEPS, 8, LAND_DETAIL * pixel_angle);
+fn terrain_trace(origin: vec3f, direction: vec3f) -> MarchHit {
+    let pixel_angle = LAND_DETAIL * camera_pixel_angle();
+#if terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
+    // The wide map's octaves are counted as if the land's own went on toward the coarse.
+    let coarsest = terrain.scale * pow(terrain.lacunarity, f32(WIDE_OCTAVES));
+    let octaves = terrain.octaves + f32(WIDE_OCTAVES);
+    let plain = select(i32(ceil(octaves)), WIDE_OCTAVES, WIDE_OCTAVES > 0);
+    let how = land_Bounded(octaves, plain, coarsest, terrain.lacunarity, pixel_angle, 0.01, 4 * LAND_STEPS);
+    return land_march(origin - vec3f(0.0, sum_base(), 0.0), direction, 0.0, terrain.far, how);
+#else
+    let how = land_Adaptive(0.05, LAND_GROWTH, LAND_RELAX, LAND_STEPS, 8, pixel_angle);
     return land_march(origin, direction, terrain_ceiling(), terrain.far, how);
+#endif
 }
 
 /// Part of the sun that the land leaves to `position` (m), 0 .. 1; `normal` is the land's there.
@@ -58,7 +75,7 @@ fn terrain_shadow(position: vec3f, normal: vec3f, footprint: f32) -> f32 {
         return 0.0;
     }
     let start = position + max(0.5 * footprint, 0.02) * normal;
-    return land_shadow(
+    return land_soft(
         start, to_sun, sun.radius, max(2.0 * footprint, 0.3), terrain.shadow_reach, terrain_ceiling(), footprint,
         LAND_SHADOW_STEPS,
     );
