@@ -66,7 +66,7 @@ fn water_mirrors_nothing_below_the_horizon() {
         .map(|_| {
             let roughness = random.within(0.0, 0.3);
             [
-                random.within(0.0, 1.5707),
+                random.within(0.0, 1.57),
                 roughness * roughness,
                 random.within(-1.0, 1.0),
                 random.within(-1.0, 1.0),
@@ -75,7 +75,7 @@ fn water_mirrors_nothing_below_the_horizon() {
         .collect();
     rows.extend([
         [0.0, 0.0, 0.0, 0.0],
-        [1.5708, 0.0, 0.0, 0.0],
+        [std::f32::consts::FRAC_PI_2, 0.0, 0.0, 0.0],
         [0.0, 0.1, 5.0, -5.0],
         [1e-6, 1e-9, -20.0, 0.0],
     ]);
@@ -147,7 +147,12 @@ fn gerstner_waves_run_and_do_not_fold() {
     let heights: f64 = got.iter().map(|wave| wave[3]).sum();
     report.at_most("sum of the amplitudes over the height that is said to bound it", heights / reach, 1.0);
     let squares: f64 = got.iter().map(|wave| 0.5 * (wave[2] * wave[3]).powi(2)).sum();
-    report.near("root mean square slope of all waves (set: .3, half of its square theirs)", squares.sqrt(), 0.212_132, 1e-4);
+    report.near(
+        "root mean square slope of all waves (set: .3, half of its square theirs)",
+        squares.sqrt(),
+        0.212_132,
+        1e-4,
+    );
 
     // Jacobian of the way from rest to place: positive everywhere is no fold anywhere.
     let points: Vec<[f32; 2]> = Random::new(32).points(100_000, 500.0);
