@@ -312,14 +312,15 @@ fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit 
         } else if start.y < tree.crown || start.y > tree.height {
             leaves = t - 1.0;
         }
-        for (var k = 0; k < TREE_MARCH; k++) {
+        for (var k = 1; k <= TREE_MARCH; k++) {
             if t > leaves {
                 break;
             }
             marched += 1;
             let footprint = t * pixel_angle;
             let field = crown_field(tree, start + t * direction, footprint).x;
-            if field < 0.5 * footprint + 0.01 {
+            // Out of steps: they are short only where the ray grazes leaves.
+            if field < 0.5 * footprint + select(0.01, 0.15, k == TREE_MARCH) {
                 found = t;
                 bark = false;
                 break;
