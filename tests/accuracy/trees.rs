@@ -339,17 +339,14 @@ fn a_tree_is_the_same_tree_whatever_the_ray() {
     let fragment = format!(
         "{RAYS}{}",
         r#"
-// (hit, apart from the tree that stands in that cell (m, ids included), farther along than from a metre nearer (m))
+// (hit, apart from the tree that stands in that cell (m, ids included), apart from the hit that is found from a metre before (m))
 fn same_tree(seed: u32) -> vec3f {
     let origin = ray_origin(seed);
     let direction = ray_direction(seed);
     var first: TreeHit;
     var again: TreeHit;
     for (var i = 0; i < 2; i++) {
-        // From a metre before the hit, at which the other one is found first if it is nearer.
-        let skip = select(0.0, max(first.distance - 1.0, 0.0), i == 1);
-        var hit = trees_trace(origin + skip * direction, direction, 0.0, 60.0);
-        hit.distance += skip;
+        let hit = trees_trace(origin, direction, select(0.0, max(first.distance - 1.0, 0.0), i == 1), 60.0);
         if i == 0 {
             first = hit;
             if !hit.hit {
@@ -377,11 +374,12 @@ fn same_tree(seed: u32) -> vec3f {
     report.at_least("rays that meet a tree", rows.len() as f64, 800.0);
     report.at_most("apart from the tree that stands in its cell, m", largest(&rows, |row| row[1]), 0.0);
     let part = |limit: f64| rows.iter().filter(|row| row[2] > limit).count() as f64 / rows.len() as f64;
-    report.at_most("part of the rays that meet another tree from a metre before it", part(999.0), 0.01);
-    report.told(
-        "part of the rays that then meet it more than 35 cm off: leaves are finer from near",
-        part(0.35),
+    report.at_most(
+        "part of the rays that meet another tree when looking from a metre before the hit on",
+        part(999.0),
+        0.01,
     );
+    report.told("part of the rays that then end more than 35 cm off", part(0.35));
     report.finish();
 }
 
