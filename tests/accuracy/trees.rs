@@ -65,8 +65,8 @@ fn sdf_and_brute(x: f32, y: f32, z: f32) -> vec2f {
     return vec2f(trees_sdf(p, 0.0), brute_sdf(p));
 }
 
-// (slope, distance): the slope along the gradient, both by central differences over 6 cm. (The length of the gradient by
-// differences would exceed the slope where two trees are equally far: its components belong to both.)
+// (slope, distance): the slope along the gradient, both by central differences over 6 cm. (The length of the gradient
+// by differences would exceed the slope where two trees are equally far: its components belong to both.)
 fn sdf_slope(x: f32, y: f32, z: f32) -> vec2f {
     let p = above_ground(x, y, z);
     var gradient = vec3f(0.0);
@@ -205,7 +205,8 @@ fn ray_direction(seed: u32) -> vec3f {
 }
 
 // Goes on along a ray by as much as the distance to the trees allows, 5 cm at least: (where it is, how long it has been
-// inside, 1 if that is `chord` or else 0). A few steps: lavapipe ends every loop after 65,535 iterations of all of them.
+// inside, 1 if that is `chord` or else 0). A few steps: lavapipe ends every loop after
+// 65,535 iterations of all of them.
 fn dense(seed: u32, start: f32, inside: f32, chord: f32) -> vec3f {
     let origin = ray_origin(seed);
     let direction = ray_direction(seed);
@@ -339,7 +340,8 @@ fn a_tree_is_the_same_tree_whatever_the_ray() {
     let fragment = format!(
         "{RAYS}{}",
         r#"
-// (hit, apart from the tree that stands in that cell (m, ids included), apart from the hit that is found from a metre before (m))
+// (hit, apart from the tree that stands in that cell (m, ids included), apart from the hit that is found from a metre
+// before (m))
 fn same_tree(seed: u32) -> vec3f {
     let origin = ray_origin(seed);
     let direction = ray_direction(seed);
