@@ -1,7 +1,7 @@
 //! Distances to ellipsoids of revolution, the form of broadleaved crowns.
 
-/// Distance from `(across, up)` to the ellipse with these half-axes, for points outside of it: the exact one, by bisection
-/// for the foot of the perpendicular (Eberly, "Distance from a point to an ellipse", 2013).
+/// Distance from `(across, up)` to the ellipse with these half-axes, for points outside of it: the exact one, by
+/// bisection for the foot of the perpendicular (Eberly, "Distance from a point to an ellipse", 2013).
 #[must_use]
 pub fn ellipse_distance(point: [f64; 2], radii: [f64; 2]) -> f64 {
     let [x, y] = point.map(f64::abs);

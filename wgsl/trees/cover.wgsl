@@ -26,12 +26,18 @@
 /// How far autumn has come: 0 summer, 1 all leaves turned.
 #param trees.autumn: f32 = 0.0, range 0 .. 1
 
+/// What to add to a noise so that about `share` of it is above 0: nothing of it for 0, all of it for 1. `contrast`: how
+/// much a change in the middle of the range does.
+fn share_shift(share: f32, contrast: f32) -> f32 {
+    return contrast * (share - 0.5) + 15.0 * (max(share - 0.9, 0.0) - max(0.1 - share, 0.0));
+}
+
 /// A number that says how deep in the woods `p` (m) lies: above 0 inside, below 0 in a clearing; about -1 .. 1.
 ///
 /// Four octaves of noise.
 fn woods_depth(p: vec2f) -> f32 {
     let wander = groves_fbm2(p / trees.patch, trees.seed + 17u, 4.0, 0.5, 2.1).x;
-    return wander + 1.3 * (trees.share - 0.5) + 4.0 * max(trees.share - 0.9, 0.0);
+    return wander + share_shift(trees.share, 1.3);
 }
 
 /// Part of the ground under trees, 0 .. 1, as far as the woods decide: nothing in clearings, thinner at their edges.
@@ -60,7 +66,7 @@ fn trees_cover(position: vec3f, normal: vec3f) -> f32 {
 /// Chance that a tree at `p` (m) is a spruce, 0 .. 1. Three octaves of noise.
 fn trees_spruces_at(p: vec2f) -> f32 {
     let wander = groves_fbm2(p / (0.45 * trees.patch) + vec2f(7.7, 3.1), trees.seed + 29u, 3.0, 0.6, 2.1).x;
-    return smoothstep(-0.32, 0.32, wander + 1.5 * (trees.spruces - 0.5));
+    return smoothstep(-0.32, 0.32, wander + share_shift(trees.spruces, 1.5));
 }
 
 /// Colour of a leaf in autumn; `when`: 0 .. 1, how early it turned.

@@ -166,8 +166,8 @@ fn spruce_branches(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
     return found;
 }
 
-/// How much leaves eat into the crown: (depth in m, gradient) at `q` (m from the foot), for a pixel `footprint` (m) wide.
-/// Never negative.
+/// How much leaves eat into the crown: (depth in m, gradient) at `q` (m from the foot), for a pixel `footprint` (m)
+/// wide. Never negative.
 ///
 /// Three sizes: boughs, tufts, leaves; those too small for the pixel become their mean. One noise for each.
 fn crown_leaves(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
@@ -239,8 +239,8 @@ fn crown_field(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
     return crown_hull(tree, upright, footprint) + crown_leaves(tree, upright, footprint);
 }
 
-/// Distance (m) to the upright cylinder that a tree keeps to, leaves, trunk and sway included; a lower bound, gradient at
-/// most 1.
+/// Distance (m) to the upright cylinder that a tree keeps to, leaves and trunk included (a crown that sways out of it
+/// is cut off there); a lower bound, gradient at most 1.
 fn tree_room(tree: Tree, q: vec3f) -> f32 {
     return max(length2(q.xz) - tree.radius, max(q.y - tree.height, -TREE_ROOT - q.y));
 }

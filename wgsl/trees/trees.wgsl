@@ -159,9 +159,9 @@ struct Met {
 
 /// Walks on to the next tree.
 ///
-/// Cells whose tree the ray passes at more than a crown's width cost a hash; the woods are asked next, and only then the
-/// ground, once for a tree that the ray passes over or under, three times for one whose room it enters. Where the ray is
-/// high above the trees it skips rows. `patience`: cells looked at most in all; `thinning`: distance (m) from
+/// Cells whose tree the ray passes at more than a crown's width cost a hash; the woods are asked next, and only then
+/// the ground, once for a tree that the ray passes over or under, three times for one whose room it enters. Where
+/// the ray is high above the trees it skips rows. `patience`: cells looked at most in all; `thinning`: distance (m) from
 /// which on trees begin to be left out.
 fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Met {
     var met: Met;
@@ -312,14 +312,15 @@ fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit 
         } else if start.y < tree.crown || start.y > tree.height {
             leaves = t - 1.0;
         }
-        for (var k = 0; k < TREE_MARCH; k++) {
+        for (var k = 1; k <= TREE_MARCH; k++) {
             if t > leaves {
                 break;
             }
             marched += 1;
             let footprint = t * pixel_angle;
             let field = crown_field(tree, start + t * direction, footprint).x;
-            if field < 0.5 * footprint + 0.01 {
+            // Out of steps: they are short only where the ray grazes leaves.
+            if field < 0.5 * footprint + select(0.01, 0.15, k == TREE_MARCH) {
                 found = t;
                 bark = false;
                 break;
@@ -343,8 +344,8 @@ fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit 
 
 /// Part of the sun that the trees leave to `position` (m), 0 .. 1, seen by a pixel `footprint` (m) wide.
 ///
-/// Light is lost along its way through leaves: exp(-length / `trees.clearness`), with the leaves as the crowns have them,
-/// blurred by the sun's width the farther off the more. Beyond where single trees are drawn: 1.
+/// Light is lost along its way through leaves: exp(-length / `trees.clearness`), with the leaves as the crowns have
+/// them, blurred by the sun's width the farther off the more. Beyond where single trees are drawn: 1.
 fn trees_shadow(position: vec3f, footprint: f32) -> f32 {
     let to_sun = sun_direction();
     let drawn = trees.far * camera_pixel_angle();
