@@ -15,9 +15,9 @@ fn hills() -> Preset {
         "set": {
             "landscape": { "trees": true },
             "terrain": {
-                "relief": "fbm", "seed": 11, "scale": 2500, "peak_height": 900, "gully_depth": 30, "detail": 30
+                "relief": "damped", "seed": 11, "scale": 2500, "peak_height": 450, "gully_depth": 30, "detail": 15
             },
-            "trees": { "share": 0.75, "lowest": 360, "highest": 540, "raggedness": 40, "steepest": 24, "patch": 300 }
+            "trees": { "share": 0.75, "lowest": 180, "highest": 290, "raggedness": 40, "steepest": 24, "patch": 300 }
         }
     }"#;
     Preset::parse("hills.json", text).unwrap()
@@ -318,8 +318,8 @@ fn stand(i: f32, j: f32) -> Stand {
     let bare = rows.iter().filter(|row| row[3] <= 0.0).count() as f64 / rows.len() as f64;
     report.at_least("trees in 40,000 cells", standing.len() as f64, 4000.0);
     report.at_least("part of the cells that the limits or clearings leave bare", bare, 0.1);
-    report.at_least("lowest tree, m (waterline 360)", -largest(&standing, |row| -row[1]), 360.0);
-    report.at_most("highest tree, m (tree line 540 + 40)", largest(&standing, |row| row[1]), 580.0);
+    report.at_least("lowest tree, m (waterline 180)", -largest(&standing, |row| -row[1]), 180.0);
+    report.at_most("highest tree, m (tree line 290 + 40)", largest(&standing, |row| row[1]), 330.0);
     let steepest = largest(&standing, |row| row[2].atan().to_degrees());
     report.at_most("steepest ground under a tree, degrees (limit 24)", steepest, 24.01);
     report.at_least("least cover at a tree", -largest(&standing, |row| -row[3]), 1e-6);
