@@ -24,7 +24,7 @@ const RELIEFS: [(&str, &[&str]); 12] = [
 /// The preset of a relief; its finest octave is tens of metres wide, so that differences over metres tell its slope.
 fn land(settings: &[&str]) -> Preset {
     let mut preset = Preset::of_module("terrain/height.wgsl");
-    for setting in [&["terrain.octaves=7"], settings].concat() {
+    for setting in [&["terrain.octaves=5"], settings].concat() {
         preset.set(setting).unwrap();
     }
     preset

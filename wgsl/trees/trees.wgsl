@@ -182,10 +182,13 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Me
             (*walk).row += (*walk).step;
             trees_lanes(walk);
         }
-        let cell = vec2i((*walk).lane, (*walk).row);
+        var cell = vec2i((*walk).lane, (*walk).row);
+        if (*walk).eastward {
+            cell = cell.yx;
+        }
         (*walk).lane += 1;
         (*walk).unprobed += 1;
-        var tree = tree_in_cell(select(cell, cell.yx, (*walk).eastward));
+        var tree = tree_in_cell(cell);
 
         let to_tree = tree.foot.xz - origin.xz;
         let nearest = clamp(dot(to_tree, direction.xz) / level2, (*walk).near, (*walk).far);
