@@ -57,19 +57,21 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         var leafy = false; // whether it meets a tree first
 
 #if landscape.water
-        // The land's march ends within half a pixel of the ground: near the waterline the depth decides.
+        // The land's march ends within half a pixel of the ground: near the waterline the depth decides, at the nearer of
+        // its end and the water's surface. (Beyond its end, the surface may be that of another lake behind a mountain.)
         var depth = 0.0;
         if bounce == 0 {
             let water_ahead = water_trace(start, toward, terrain.far);
             let slack = 0.5 * terrain_footprint(way);
-            wet = water_ahead.hit
-                && (!land.hit || water_ahead.distance < way || start.y + way * toward.y < water.level + slack);
+            let is_first = !land.hit || water_ahead.distance < way;
+            let reached = min(water_ahead.distance, way);
+            wet = water_ahead.hit && (is_first || start.y + way * toward.y < water.level + slack);
             if wet {
-                let crossing = start + water_ahead.distance * toward;
-                depth = crossing.y - terrain_height_filtered(crossing.xz, terrain_footprint(water_ahead.distance));
-                wet = depth > 0.0 && (!submerged || water_ahead.distance < way);
+                let crossing = start + reached * toward;
+                depth = water.level - terrain_height_filtered(crossing.xz, terrain_footprint(reached));
+                wet = depth > 0.0 && (!submerged || is_first);
             }
-            way = select(way, water_ahead.distance, wet);
+            way = select(way, reached, wet);
         }
 #endif
 #if landscape.trees
