@@ -21,6 +21,10 @@
 #param ground.scrub_cover: f32 = 0.45, range 0 .. 1
 /// Thickness of a bed.
 #param ground.bed: f32 = 45.0, range 0.1 .. 1000, unit m
+/// How sharply one bed's colour ends where the next one's begins: 0 they run into each other, 1 a clean edge.
+#param ground.bed_edge: f32 = 0.0, range 0 .. 1
+/// Slope under which rubble and dust cover the beds.
+#param ground.rubble_slope: f32 = 42.0, range 0 .. 90, unit deg
 
 /// Colour of the beds at a height (m) over their own base.
 fn bed_color(height: f32, thinnest: f32) -> vec3f {
@@ -28,8 +32,11 @@ fn bed_color(height: f32, thinnest: f32) -> vec3f {
     let middle = value_noise2(vec2f(height / ground.bed, 7.5), 63u);
     let fade = 1.0 - smoothstep(0.15, 0.6, thinnest / (0.22 * ground.bed));
     let thin = fade * value_noise2(vec2f(height / (0.22 * ground.bed), 11.5), 67u);
-    var color = mix(ground.red_bed, ground.ochre_bed, smoothstep(-0.35, 0.4, thick + 0.35 * middle));
-    color = mix(color, ground.pale_bed, smoothstep(0.2, 0.55, middle + 0.3 * thin));
+    let soft = max(1.0 - 0.9 * ground.bed_edge, min(thinnest / ground.bed, 1.0)); // no edge finer than can be seen
+    let ochre = smoothstep(0.025 - 0.375 * soft, 0.025 + 0.375 * soft, thick + 0.35 * middle);
+    let pale = smoothstep(0.375 - 0.175 * soft, 0.375 + 0.175 * soft, middle + 0.3 * thin);
+    var color = mix(ground.red_bed, ground.ochre_bed, ochre);
+    color = mix(color, ground.pale_bed, pale);
     return color * (1.0 + 0.22 * thin);
 }
 
@@ -48,11 +55,13 @@ fn strata_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
     let coat = cliff * streak_fade * smoothstep(0.0, 0.8, streak + 0.5 * wander.x);
     albedo = mix(albedo, ground.varnish, 0.65 * coat);
 
-    let loose = smoothstep(0.62, 0.86, normal.y + 0.08 * mottle);
-    albedo = mix(albedo, mix(ground.rubble, albedo, 0.45), loose);
+    let bare = cos(1.2 * ground.rubble_slope);
+    let heaped = cos(0.73 * ground.rubble_slope) + 1e-4;
+    let loose = smoothstep(bare, heaped, normal.y + 0.35 * (heaped - bare) * mottle);
     let level = smoothstep(0.90, 0.97, normal.y);
+    albedo = mix(albedo, mix(ground.rubble, albedo, 0.45 - 0.35 * level), loose); // of the beds under it, a tinge
     let thicket = 0.5 + 0.9 * mottle + 0.3 * wander.x + ground.scrub_cover;
-    let bushes = level * smoothstep(0.75, 1.05, thicket);
+    let bushes = level * smoothstep(0.0, 0.1, ground.scrub_cover) * smoothstep(0.75, 1.05, thicket);
     albedo = mix(albedo, ground.scrub, 0.85 * bushes);
     albedo *= 1.0 + 0.18 * mottle;
 
