@@ -160,8 +160,7 @@ struct Met {
 /// Walks on to the next tree.
 ///
 /// Cells whose tree the ray passes at more than a crown's width cost a hash; the woods are asked next, and only then
-/// the ground, once for a tree that the ray passes over or under, three times for one whose room it enters. Where
-/// the ray is high above the trees it skips rows. `patience`: cells looked at most in all; `thinning`: distance (m) from
+/// the ground. Where the ray is high above the trees it skips rows. `patience`: cells looked at most in all; `thinning`: distance (m) from
 /// which on trees begin to be left out.
 fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Met {
     var met: Met;
@@ -219,28 +218,11 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Me
         let high = max(y_enters, y_leaves);
         (*walk).unprobed = 0;
 
-        // The ground at the trunk, then east and south of it. One place in the code: compilers copy the land into it.
-        var heights = vec3f(0.0);
-        var clear = 0.0;
-        let reach = trees.spacing;
-        for (var k = 0; k < 3; k++) {
-            let beside = reach * vec2f(f32(i32(k == 1)), f32(i32(k == 2)));
-            heights[k] = terrain_height_filtered(tree.foot.xz + beside, reach);
-            if k == 0 {
-                clear = low - heights.x - trees.tallest;
-                if low > heights.x + tree.height || high < heights.x - TREE_ROOT {
-                    candidate = false;
-                }
-                if !candidate {
-                    break;
-                }
-            }
-        }
-        if candidate {
-            tree.foot.y = heights.x;
-            let slope = (heights.yz - vec2f(heights.x)) / reach;
-            let normal = normalize(vec3f(-slope.x, 1.0, -slope.y));
-            if tree.chance < woods_density(depth) * woods_limits(heights.x, normal.y, depth) {
+        let land = terrain_height_grad_filtered(tree.foot.xz, trees.spacing);
+        if candidate && low <= land.x + tree.height && high >= land.x - TREE_ROOT {
+            tree.foot.y = land.x;
+            let normal = normalize(vec3f(-land.y, 1.0, -land.z));
+            if tree.chance < woods_density(depth) * woods_limits(land.x, normal.y, depth) {
                 (*walk).ground = normal;
                 met.tree = tree;
                 met.enters = enters;
@@ -248,7 +230,9 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Me
                 met.found = true;
                 break;
             }
-        } else if clear > trees.spacing {
+        }
+        let clear = low - land.x - trees.tallest;
+        if clear > trees.spacing {
             // High above the trees: as far on as the ground would need to rise to here.
             let closing = TREE_CLIMB + descent;
             if closing <= 0.0 {
@@ -459,7 +443,7 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, sun_seen: f32) -> 
     return turned_up * (leaf * (lit * reflected + ambient + bounce) + through * lit * glow) / 3.14159265;
 }
 
-/// The tree of a cell as it stands, with its foot on the ground; `found` is false where none does. Three heights of the
+/// The tree of a cell as it stands, with its foot on the ground; `found` is false where none does. One height of the
 /// land.
 fn trees_standing(cell: vec2i) -> Met {
     var met: Met;
@@ -468,17 +452,11 @@ fn trees_standing(cell: vec2i) -> Met {
     if sapling.chance >= woods_density(depth) {
         return met;
     }
-    let reach = trees.spacing;
-    var heights = vec3f(0.0);
-    for (var k = 0; k < 3; k++) {
-        let beside = reach * vec2f(f32(i32(k == 1)), f32(i32(k == 2)));
-        heights[k] = terrain_height_filtered(sapling.foot.xz + beside, reach);
-    }
-    let slope = (heights.yz - vec2f(heights.x)) / reach;
-    let normal_y = inverseSqrt(1.0 + dot(slope, slope));
+    let land = terrain_height_grad_filtered(sapling.foot.xz, trees.spacing);
+    let normal_y = inverseSqrt(1.0 + dot(land.yz, land.yz));
     met.tree = tree_grow(sapling, depth);
-    met.tree.foot.y = heights.x;
-    met.found = met.tree.chance < woods_density(depth) * woods_limits(heights.x, normal_y, depth);
+    met.tree.foot.y = land.x;
+    met.found = met.tree.chance < woods_density(depth) * woods_limits(land.x, normal_y, depth);
     return met;
 }
 
@@ -486,7 +464,7 @@ fn trees_standing(cell: vec2i) -> Met {
 ///
 /// Looks at 3×3 cells, and leaves out those whose trees are farther than what is found already. Trees beyond reach
 /// out of their cells by less than half a cell, so that none is nearer than .54 cells and the way to the edge of this
-/// one; more is never returned. Up to 27 heights of the land: for tests and views; rays walk row by row instead.
+/// one; more is never returned. Up to 9 heights of the land: for tests and views; rays walk row by row instead.
 fn trees_sdf(p: vec3f, footprint: f32) -> f32 {
     let here = p.xz / trees.spacing;
     let cell = floor(here);
