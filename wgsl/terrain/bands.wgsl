@@ -5,10 +5,11 @@
 #include <noise/value.wgsl>
 #include <terrain/material.wgsl>
 #include <trees/cover.wgsl>
+#include <water/level.wgsl>
 
-/// Height below which the ground is mud.
+/// Height above `water.level` below which the ground is mud.
 #param ground.mud_line: f32 = -100.0, range -1000 .. 9000, unit m
-/// Height below which, above the mud, the ground is sand.
+/// Height above `water.level` below which, above the mud, the ground is sand.
 #param ground.sand_line: f32 = -60.0, range -1000 .. 9000, unit m
 /// Height above which no grass grows.
 #param ground.grass_line: f32 = 1100.0, range -1000 .. 9000, unit m
@@ -71,8 +72,9 @@ fn bands_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
 
     let shore = max(0.1 * ground.raggedness, 0.5);
     let beach = ground.gravel * (1.0 + 0.3 * mottle);
-    albedo = mix(albedo, beach, 1.0 - smoothstep(-shore, shore, y - ground.sand_line));
-    albedo = mix(albedo, ground.mud, 1.0 - smoothstep(-shore, shore, y - ground.mud_line));
+    let dry = y - water.level;
+    albedo = mix(albedo, beach, 1.0 - smoothstep(-shore, shore, dry - ground.sand_line));
+    albedo = mix(albedo, ground.mud, 1.0 - smoothstep(-shore, shore, dry - ground.mud_line));
 
     // Snow: above its line, more and more of it higher up, on what is not too steep; drifts in the hollows of
     // the noise.

@@ -94,11 +94,18 @@ fn mountains_guide(q: vec2f) -> Jet2 {
 #endif
 }
 
-/// The land (m) and its slope at `p` (m) of the first `octaves` octaves, which may be fractional; for 0 and less only
-/// the lie of the land.
-///
-/// Costly: up to `terrain.octaves` + 8 noises and five generations of gullies.
-fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
+/// The land before water and roughness.
+struct Lie {
+    /// Height (m) and slope.
+    land: vec3f,
+    /// The smoother land that steers the water and the roughness (m).
+    smoothed: Jet2,
+    /// The part of the height that is the wide map's (m); 0 without one.
+    wide: f32,
+}
+
+/// The lie of the land at `p` (m): its first `octaves` octaves, which may be fractional.
+fn mountains_lie(p: vec2f, octaves: f32) -> Lie {
     var q = p / terrain.scale;
 #if terrain.distorted
     let bend = terrain.distortion;
@@ -125,6 +132,7 @@ fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
     forms = terrain.peak_height * vec3f(forms.x, per_metre * forms.yz);
     lie = jet2_scaled(jet2_per(lie, per_metre), terrain.peak_height);
     var land = forms;
+    var wide_height = 0.0;
 #if terrain.dual
     let wide = mountains_wide(p);
     let middle = 0.5 * terrain.valleys;
@@ -134,8 +142,19 @@ fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
     land = vec3f(share.value * land.x, share.value * land.yz + land.x * share.gradient)
         + vec3f(swell.value, swell.gradient);
     lie = jet2_sum(jet2_product(share, lie), swell);
+    wide_height = swell.value;
 #endif
+    return Lie(land, lie, wide_height);
+}
 
+/// The land (m) and its slope at `p` (m) of the first `octaves` octaves, which may be fractional; for 0 and less only
+/// the lie of the land.
+///
+/// Costly: up to `terrain.octaves` + 8 noises and five generations of gullies.
+fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
+    let base = mountains_lie(p, octaves);
+    var land = base.land;
+    let lie = base.smoothed;
 #if terrain.eroded
     land += mountains_erosion(p, lie, octaves);
 #endif
@@ -146,7 +165,7 @@ fn mountains_height_grad(p: vec2f, octaves: f32) -> vec3f {
     let steepening = 2.0 * vec2f(dot(lie.hessian.xy, g), dot(lie.hessian.yz, g));
     let weight = 0.08 + 0.92 * steep * (2.0 - steep);
     let weight_slope = 1.84 * (1.0 - steep) * steepening;
-    let finer = exp2(terrain.forms) * per_metre;
+    let finer = exp2(terrain.forms) / terrain.scale;
     let fine = relief_fbm2(finer * p, terrain.seed + 307u, octaves - terrain.forms, 0.58, terrain.lacunarity);
     land += terrain.detail * vec3f(weight * fine.x, weight * finer * fine.yz + fine.x * weight_slope);
 #endif
