@@ -1,6 +1,6 @@
 //! Rays over a land of Perlin octaves: where they first meet it, by steps that cannot skip anything.
 
-use crate::hash::{pcg, signed};
+use crate::noise::perlin2;
 
 /// A land: octaves of Perlin noise, each twice as fine as the one before, turned and shifted.
 #[derive(Debug, Clone, Copy)]
@@ -140,7 +140,7 @@ impl Relief {
             frequency * (cos * x - sin * z) + shift * f64::from(37.31_f32),
             frequency * (sin * x + cos * z) + shift * f64::from(17.83_f32),
         ];
-        self.strength(index) * perlin2(q, index as u32 + 11)
+        self.strength(index) * perlin2(q, None, index as u32 + 11)
     }
 
     /// Height of the land (m).
@@ -267,31 +267,4 @@ impl Errors {
             hde95: percentile(&hde, 95),
         }
     }
-}
-
-/// Gradient noise scaled to -1 .. 1.
-#[allow(clippy::approx_constant, reason = "the noise is defined with this factor")]
-fn perlin2([x, y]: [f64; 2], seed: u32) -> f64 {
-    let cell = [x.floor(), y.floor()];
-    let t = [x - cell[0], y - cell[1]];
-    let fade = t.map(|t| t * t * t * (t * (t * 6.0 - 15.0) + 10.0));
-    let mut sum = 0.0;
-    for (j, i) in [(0_u32, 0_u32), (0, 1), (1, 0), (1, 1)] {
-        let row = pcg((cell[1] as i32 as u32).wrapping_add(j).wrapping_add(pcg(seed)));
-        let gradient = direction(pcg((cell[0] as i32 as u32).wrapping_add(i).wrapping_add(row)));
-        let (u, v) = (f64::from(i), f64::from(j));
-        let weight = (1.0 - (u - fade[0]).abs()) * (1.0 - (v - fade[1]).abs());
-        sum += weight * (gradient[0] * (t[0] - u) + gradient[1] * (t[1] - v));
-    }
-    f64::from(1.4142_f32) * sum
-}
-
-/// A unit vector: twice the angle whose tangent is a polynomial of the bits' number.
-#[allow(clippy::approx_constant, reason = "the polynomial is defined with this factor")]
-fn direction(bits: u32) -> [f64; 2] {
-    let u = signed(bits << 1);
-    let tangent =
-        u * (f64::from(0.7854_f32) + u * u * (f64::from(0.16149_f32) + u * u * f64::from(0.05311_f32)));
-    let (sin, cos) = (2.0 * tangent.atan()).sin_cos();
-    if bits >> 31 == 1 { [-cos, -sin] } else { [cos, sin] }
 }

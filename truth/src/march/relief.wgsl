@@ -34,7 +34,11 @@ fn relief_octave(p: vec2f, index: i32) -> vec3f {
 
 fn relief_bounds(index: i32) -> vec3f {
     let frequency = exp2(f32(index)) / RELIEF_WAVELENGTH;
-    return RELIEF_HEIGHT * pow(RELIEF_GAIN, f32(index)) * vec3f(1.0, 2.9262 * frequency, 13.061 * frequency * frequency);
+    return RELIEF_HEIGHT * pow(RELIEF_GAIN, f32(index)) * vec3f(
+        PERLIN_NOISE2_RANGE,
+        PERLIN_NOISE2_SLOPE * frequency,
+        PERLIN_NOISE2_CURVATURE * frequency * frequency,
+    );
 }
 
 // From valley to height, the octaves after the first RELIEF_PLAIN count for more.
