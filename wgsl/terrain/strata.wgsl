@@ -23,6 +23,8 @@
 #param ground.bed: f32 = 45.0, range 0.1 .. 1000, unit m
 /// How sharply one bed's colour ends where the next one's begins: 0 they run into each other, 1 a clean edge.
 #param ground.bed_edge: f32 = 0.0, range 0 .. 1
+/// How rough the ground is with stones too small for the land's height: their slope, rise over run.
+#param ground.grit: f32 = 0.09, range 0 .. 1
 /// Slope under which rubble and dust cover the beds.
 #param ground.rubble_slope: f32 = 42.0, range 0 .. 90, unit deg
 
@@ -67,6 +69,6 @@ fn strata_surface(position: vec3f, normal: vec3f, footprint: f32) -> Surface {
 
     let fine = clamp(log2(4.0 / max(2.0 * footprint, 0.01)), 0.0, 5.0);
     let grain = weathering_fbm2(position.xz / 4.0, 79u, fine, 0.6, 2.1);
-    let bent = normalize(normal - 0.09 * vec3f(grain.y, 0.0, grain.z));
+    let bent = normalize(normal - ground.grit * vec3f(grain.y, 0.0, grain.z));
     return Surface(clamp(albedo, vec3f(0.0), vec3f(0.95)), bent);
 }
