@@ -143,10 +143,11 @@ fn hard_shadows_are_where_the_land_is_in_the_way() {
         Report::new("Marches over a heightfield", "hard_shadows_are_where_the_land_is_in_the_way");
     let relief = RELIEFS[0];
     let rays = to_light(&relief, 12.0, 1000);
-    let shadow =
-        format!("bounded_shadow(p, vec3f(dx, dy, dz), 0.0, {FAR:?}, relief_bounded({TOLERANCE:?}, 0.0))");
+    let shadow = format!(
+        "bounded_shadow_hard(p, vec3f(dx, dy, dz), 0.0, {FAR:?}, relief_bounded({TOLERANCE:?}, 0.0))"
+    );
     let stepped = format!(
-        "shadow_hard(p, vec3f(dx, dy, dz), 0.1, {FAR:?}, {:?}, 0.0, 0.4, 0.2, 1000)",
+        "land_shadow_hard(p, vec3f(dx, dy, dz), 0.1, {FAR:?}, {:?}, 0.0, 0.4, 0.2, 1000)",
         relief.ceiling()
     );
     let lit: Vec<f64> = evaluate(&relief, &shadow, &rays).iter().map(|row| row[0]).collect();
@@ -188,7 +189,7 @@ fn soft_shadows_lighten_as_the_sun_climbs() {
     let mut shares = Vec::new();
     let climb: Vec<Ray> = (0..12).flat_map(|step| to_light(&relief, f64::from(step) * 2.0, 300)).collect();
     let shadow =
-        format!("shadow_soft(p, vec3f(dx, dy, dz), 0.02, 0.5, 9000.0, {:?}, 0.5, 96)", relief.ceiling());
+        format!("land_shadow_soft(p, vec3f(dx, dy, dz), 0.02, 0.5, 9000.0, {:?}, 0.5, 96)", relief.ceiling());
     let all: Vec<f64> = evaluate(&relief, &shadow, &climb).iter().map(|row| row[0]).collect();
     for seen in all.chunks(300) {
         lowest = seen.iter().copied().fold(lowest, f64::min);
@@ -240,9 +241,9 @@ fn no_ray_breaks_a_march() {
             format!("relaxed_march(p, {d}, {top:?}, 45000.0, 0.5, 0.001, 0.01, 200)"),
             format!("fixed_march(p, {d}, {top:?}, 45000.0, 50, 0.001)"),
             format!("fixed_march(p, {d}, {top:?}, 0.0, 0, 0.0)"),
-            format!("shadow_soft(p, {d}, 0.005, 0.3, 9000.0, {top:?}, 0.5, 40)"),
-            format!("shadow_soft(p, {d}, 0.005, 0.0, 0.0, {top:?}, 0.0, 40)"),
-            format!("shadow_hard(p, {d}, 0.0, 9000.0, {top:?}, 0.5, 0.5, 0.5, 100)"),
+            format!("land_shadow_soft(p, {d}, 0.005, 0.3, 9000.0, {top:?}, 0.5, 40)"),
+            format!("land_shadow_soft(p, {d}, 0.005, 0.0, 0.0, {top:?}, 0.0, 40)"),
+            format!("land_shadow_hard(p, {d}, 0.0, 9000.0, {top:?}, 0.5, 0.5, 0.5, 100)"),
         ];
         let mut broken = 0;
         for expression in &expressions {

@@ -173,6 +173,7 @@ fn hashes_avalanche() {
         );
         let what = |flips| format!("`{name}`, avalanche bias of the top 24 bits, {flips}");
         report.at_most(&what("flips of the low 16 bits of the input"), avalanche.bit, 0.01);
+        // The published `pcg2d` has a pair of bits that are .04 off; no noise of ours is made of it.
         if name == "pcg2d" {
             report.told(&what("flips of the worst of these bits"), avalanche.pair);
         } else {

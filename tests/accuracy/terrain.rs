@@ -21,11 +21,11 @@ const RELIEFS: [(&str, &[&str]); 12] = [
     ("terraces", &["terrain.relief=terraces"]),
 ];
 
-/// The preset of a relief; its finest octave is hundreds of metres wide, so that differences over metres tell its slope
+/// The preset of a relief with three octaves of forms and two of roughness; its finest octave is hundreds of metres wide, so that differences over metres tell its slope
 /// in spite of what f32 rounds off heights of a thousand.
 fn land(settings: &[&str]) -> Preset {
     let mut preset = Preset::of_module("terrain/height.wgsl");
-    for setting in [&["terrain.octaves=4"], settings].concat() {
+    for setting in [&["terrain.octaves=5", "terrain.forms=3"], settings].concat() {
         preset.set(setting).unwrap();
     }
     preset
@@ -65,7 +65,11 @@ fn the_land_s_slope_is_that_of_its_height() {
             median,
             1e-3,
         );
-        report.told(&format!("{name}: the same, 95 %"), p95);
+        if matches!(name, "dunes" | "terraces") {
+            report.told(&format!("{name}: the same, 95 % (the rest are creases)"), p95);
+        } else {
+            report.at_most(&format!("{name}: the same, 95 %"), p95, 2e-2);
+        }
     }
     report.finish();
 }
@@ -83,7 +87,9 @@ fn the_land_stays_under_its_ceiling() {
          }";
     let points: Vec<[f32; 2]> = Random::new(32).points(2_000, 200_000.0);
     for (name, settings) in RELIEFS {
-        let preset = land(settings);
+        let mut preset = land(settings);
+        preset.set("terrain.octaves=13").unwrap();
+        preset.set("terrain.forms=4").unwrap();
         let scope = Scope { fragment, preset: Some(&preset), ..Scope::default() };
         let rows = values("highest_around(p) / terrain_ceiling()", &scope, ["x", "y"], &points);
         let highest = rows.iter().map(|row| row[0]).fold(f64::MIN, f64::max);

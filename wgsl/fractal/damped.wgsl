@@ -24,7 +24,8 @@ fn damped2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, dampin
         if presence <= 0.0 {
             break;
         }
-        let octave = jet2_scaled(jet2_carried(noise2(q + f32(i) * FRACTAL_SHIFT, seed + u32(i)), to_octave), strength * presence);
+        let n = jet2_carried(noise2(q + f32(i) * FRACTAL_SHIFT, seed + u32(i)), to_octave);
+        let octave = jet2_scaled(n, strength * presence);
         slope += octave.gradient;
         bend += octave.hessian;
         let kept = 1.0 / (1.0 + damping * dot(slope, slope));

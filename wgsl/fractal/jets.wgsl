@@ -8,9 +8,6 @@
 /// The noise with its first and second derivatives, value -1 .. 1.
 #slot noise2: fn(p: vec2f, seed: u32) -> Jet2
 
-// Mean of (1 - |n|)² for gradient noise, as in ridged.wgsl.
-const MEAN_RIDGE: f32 = 0.606;
-
 /// `fbm2` of <fractal/fbm.wgsl> with its second derivatives.
 fn fbm2_jet(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32) -> Jet2 {
     var sum = Jet2(0.0, vec2f(0.0), vec3f(0.0));
@@ -65,7 +62,7 @@ fn ridged2_jet(
         let rest = max(1.0 - 0.5 * sharpness * signal.value, 0.0);
         let turn = select(0.0, -0.5 * sharpness * sharpness, rest > 0.0);
         weight = jet2_through(signal, 1.0 - rest * rest, rest * sharpness, turn);
-        mean = MEAN_RIDGE;
+        mean = FRACTAL_MEAN_RIDGE;
         strength *= gain;
         q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);

@@ -10,6 +10,10 @@ const FRACTAL_SHIFT: vec2f = vec2f(37.31, 17.83);
 /// As `FRACTAL_SHIFT`, of ridged multifractals.
 const FRACTAL_RIDGE_SHIFT: vec2f = vec2f(-21.67, 43.19);
 
+// Mean of (1 - |n|)² for gradient noise. Later octaves of ridges are centred on it, so that leaving one out does not
+// sink the land.
+const FRACTAL_MEAN_RIDGE: f32 = 0.606;
+
 /// 1 + ratio + ratio² + …, one term an octave, the last in part: `octaves` may be fractional, 0 .. 16.
 fn octave_sum(octaves: f32, ratio: f32) -> f32 {
     var sum = 0.0;

@@ -5,10 +5,6 @@
 /// The noise: (value, d/dx, d/dy), value -1 .. 1.
 #slot noise2: fn(p: vec2f, seed: u32) -> vec3f
 
-// Mean of (1 - |n|)² for gradient noise. Later octaves are centred on it, so that leaving one out does not sink the
-// land.
-const MEAN_RIDGE: f32 = 0.606;
-
 /// Ridges where the noise crosses zero, with the analytic gradient: (value, d/dx, d/dy).
 ///
 /// The first octave is (1 - |n|)², 0 .. 1. Each later one is the same less its mean, `gain` times as strong as the one
@@ -38,7 +34,7 @@ fn ridged2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, sharpn
         // continuous.
         let rest = max(1.0 - 0.5 * sharpness * signal.x, 0.0);
         weight = vec3f(1.0 - rest * rest, rest * sharpness * signal.yz);
-        mean = MEAN_RIDGE;
+        mean = FRACTAL_MEAN_RIDGE;
         strength *= gain;
         q = lacunarity * (FRACTAL_TURN * q);
         to_octave = lacunarity * (FRACTAL_TURN * to_octave);
@@ -50,7 +46,7 @@ fn ridged2(p: vec2f, seed: u32, octaves: f32, gain: f32, lacunarity: f32, sharpn
 fn ridged_bound(octaves: f32, gain: f32) -> vec2f {
     let first = min(octaves, 1.0);
     let later = octave_sum(octaves, gain) - first;
-    return vec2f(-MEAN_RIDGE * later, first + (1.0 - MEAN_RIDGE) * later);
+    return vec2f(-FRACTAL_MEAN_RIDGE * later, first + (1.0 - FRACTAL_MEAN_RIDGE) * later);
 }
 
 /// A slope that `ridged2` nowhere exceeds, where the noise itself nowhere exceeds `noise_slope`: its Lipschitz bound.
@@ -60,5 +56,5 @@ fn ridged_bound(octaves: f32, gain: f32) -> vec2f {
 fn ridged_slope_bound(octaves: f32, gain: f32, lacunarity: f32, sharpness: f32, noise_slope: f32) -> f32 {
     let all = octave_sum(octaves, gain * lacunarity);
     let later = all - min(octaves, 1.0);
-    return noise_slope * (2.0 * all + MEAN_RIDGE * 1.0887 * sqrt(sharpness) / lacunarity * later);
+    return noise_slope * (2.0 * all + FRACTAL_MEAN_RIDGE * 1.0887 * sqrt(sharpness) / lacunarity * later);
 }

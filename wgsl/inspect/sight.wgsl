@@ -14,7 +14,7 @@ struct Sight {
     hit: bool,
     /// How far it went (m); `terrain.far` where it met nothing.
     distance: f32,
-    /// Heights that were looked up on the way.
+    /// Steps of the march: heights looked up, or single octaves where it goes octave by octave.
     steps: i32,
     /// Width of the pixel there (m).
     footprint: f32,

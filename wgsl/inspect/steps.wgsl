@@ -1,4 +1,5 @@
-// How many heights the march looked up to find the land, or that there is none, as colour.
+// How many steps the march took to find the land, or that there is none, as colour: heights, or single octaves where it
+// goes octave by octave.
 
 #include <color/srgb.wgsl>
 #include <inspect/scale.wgsl>

@@ -7,7 +7,8 @@
 
 /// First place along a ray that is hardly above the ground: less than `error` times its distance, and `nearest` (m).
 ///
-/// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far to look.
+/// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far from
+/// the origin to look.
 /// `relax`: part of the height above ground that one step covers; 1 / (steepest slope + steepest ray) misses nothing,
 /// more than that skips thin crests. `error` is the part of a metre by which a hit may float a metre away: a pixel's
 /// angle, say. Running out of steps counts as meeting the ground. Where it has stepped below the ground, it goes back

@@ -2,7 +2,7 @@
 
 /// Where a ray ended.
 struct MarchHit {
-    /// Distance along the ray (m): to the surface if `hit`, else how far was looked.
+    /// Distance along the ray (m): to the surface if `hit`, else the `far` that it was given.
     distance: f32,
     /// Whether it met the surface.
     hit: bool,

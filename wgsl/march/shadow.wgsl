@@ -12,7 +12,7 @@ const GOLDEN_PART: f32 = 0.618034;
 /// begin and to give up, `ceiling` (m) a height that the ground nowhere exceeds, `max_steps` how often to look: steps
 /// grow with distance, and so does the size of the details looked at. The least is then searched for between the looks
 /// (golden section), or the shadows of crests would have teeth.
-fn soft(
+fn shadow_soft(
     origin: vec3f,
     to_light: vec3f,
     spread: f32,
@@ -105,7 +105,7 @@ fn soft(
 
 /// Whether `origin` sees a distant light: 1 or 0. Steps are `relax` times the height above ground and no shorter than
 /// `shortest` (m): what stands between two of them is missed; `march/heightfield_bounded.wgsl` misses nothing.
-fn hard(
+fn shadow_hard(
     origin: vec3f,
     to_light: vec3f,
     start: f32,

@@ -9,7 +9,7 @@ fn pcg(value: u32) -> u32 {
     return (word >> 22u) ^ word;
 }
 
-/// Two hashes of two integers.
+/// Two hashes of two integers. Single input bits turn single output bits over by up to .04 off one half.
 fn pcg2d(value: vec2u) -> vec2u {
     var v = value * 1664525u + 1013904223u;
     v.x += v.y * 1664525u;

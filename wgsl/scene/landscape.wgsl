@@ -61,8 +61,8 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         // its end and the water's surface. (Beyond its end, the surface may be that of another lake behind a mountain.)
         var depth = 0.0;
         if bounce == 0 {
-            let water_ahead = water_trace(start, toward, terrain.far);
             let slack = 0.5 * terrain_footprint(way);
+            let water_ahead = water_trace(start, toward, max(terrain.far, way + slack));
             let is_first = !land.hit || water_ahead.distance < way;
             let reached = min(water_ahead.distance, way);
             wet = water_ahead.hit && (is_first || start.y + way * toward.y < water.level + slack);

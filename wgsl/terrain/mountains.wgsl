@@ -90,7 +90,8 @@ fn mountains_guide(q: vec2f) -> Jet2 {
 #if terrain.relief == ridged
     return smooth_ridged2_jet(q, terrain.seed, 3.0, terrain.gain, terrain.lacunarity, 2.0, 0.25);
 #else
-    return jet2_sum(jet2_constant(0.5), jet2_scaled(smooth_fbm2_jet(q, terrain.seed, 3.0, terrain.gain, terrain.lacunarity), 0.5));
+    let noise = smooth_fbm2_jet(q, terrain.seed, 3.0, terrain.gain, terrain.lacunarity);
+    return jet2_sum(jet2_constant(0.5), jet2_scaled(noise, 0.5));
 #endif
 }
 

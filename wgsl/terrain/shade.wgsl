@@ -3,7 +3,7 @@
 #include <camera/camera.wgsl>
 #include <light/outdoor.wgsl>
 #include <march/hit.wgsl>
-#include <march/shadow.wgsl> as land with height = terrain_height_filtered
+#include <march/shadow.wgsl> as cast with height = terrain_height_filtered
 #include <quality.wgsl>
 #include <sky/gradient.wgsl>
 #include <sun/sun.wgsl>
@@ -75,7 +75,7 @@ fn terrain_shadow(position: vec3f, normal: vec3f, footprint: f32) -> f32 {
         return 0.0;
     }
     let start = position + max(0.5 * footprint, 0.02) * normal;
-    return land_soft(
+    return cast_shadow_soft(
         start, to_sun, sun.radius, max(2.0 * footprint, 0.3), terrain.shadow_reach, terrain_ceiling(), footprint,
         LAND_SHADOW_STEPS,
     );

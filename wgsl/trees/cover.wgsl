@@ -75,7 +75,8 @@ fn autumn_leaf(when: f32) -> vec3f {
     return mix(gold, vec3f(0.20, 0.055, 0.010), smoothstep(0.45, 1.0, when));
 }
 
-/// Albedo of the woods at `position` (m) as they look from so far that no tree is seen. Linear sRGB, 0 .. 1.
+/// Albedo of the woods at `p` (m) as they look from so far that no tree is seen. Linear sRGB, 0 .. 1. Three octaves of
+/// noise.
 fn trees_canopy_albedo(p: vec2f) -> vec3f {
     let turned = 0.28 * autumn_leaf(0.4);
     let broadleaf = mix(trees.leaf_canopy, turned, 0.8 * trees.autumn);

@@ -114,7 +114,7 @@ fn crown_hull(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
 fn spruce_cone(tree: Tree, q: vec3f) -> vec4f {
     let slope = tree.radius / (tree.height - tree.crown);
     let scale = inverseSqrt(1.0 + slope * slope);
-    let axis = max(length2(q.xz), 1e-4);
+    let axis = max(length(q.xz), 1e-4);
     let side = scale * (axis - slope * (tree.height - q.y));
     let under = 0.9438 * (tree.crown + 0.35 * axis - q.y); // 1 / sqrt(1 + 0.35²)
     if under > side {
@@ -128,7 +128,7 @@ fn spruce_cone(tree: Tree, q: vec3f) -> vec4f {
 /// Each branch is a fan that droops. A whorl is turned by the golden angle against the one below.
 fn spruce_branches(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
     let cone = spruce_cone(tree, q);
-    let axis = max(length2(q.xz), 1e-4);
+    let axis = max(length(q.xz), 1e-4);
     let outward = q.xz / axis;
     let angle = atan2(q.z, select(q.x, 1e-4, axis <= 1e-4));
     let rise = inverseSqrt(1.0 + SPRUCE_DROOP * SPRUCE_DROOP);
@@ -242,7 +242,7 @@ fn crown_field(tree: Tree, q: vec3f, footprint: f32) -> vec4f {
 /// Distance (m) to the upright cylinder that a tree keeps to, leaves and trunk included (a crown that sways out of it
 /// is cut off there); a lower bound, gradient at most 1.
 fn tree_room(tree: Tree, q: vec3f) -> f32 {
-    return max(length2(q.xz) - tree.radius, max(q.y - tree.height, -TREE_ROOT - q.y));
+    return max(length(q.xz) - tree.radius, max(q.y - tree.height, -TREE_ROOT - q.y));
 }
 
 /// A lower bound of the distance to a tree (m) at `q` (m from its foot), negative inside; gradient at most 1.
@@ -250,11 +250,6 @@ fn tree_distance(tree: Tree, q: vec3f, footprint: f32) -> f32 {
     let room = tree_room(tree, q);
     let crown = crown_field(tree, q, footprint).x / crown_steepness(tree);
     let top = tree.crown + 0.4 * (tree.height - tree.crown);
-    let trunk = max(length2(q.xz) - tree.trunk, max(q.y - top, -TREE_ROOT - q.y));
+    let trunk = max(length(q.xz) - tree.trunk, max(q.y - top, -TREE_ROOT - q.y));
     return max(room, min(crown, trunk));
-}
-
-/// Length of a vector in the plane.
-fn length2(v: vec2f) -> f32 {
-    return sqrt(dot(v, v));
 }

@@ -117,8 +117,8 @@ fn trees_walk(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeWalk 
     }
     walk.eastward = abs(direction.x) > abs(direction.z);
     walk.step = select(-1, 1, select(direction.z, direction.x, walk.eastward) >= 0.0);
-    walk.row = row_at(walk, walk.near) - walk.step;
-    walk.last_row = row_at(walk, walk.far) + walk.step;
+    walk.row = trees_row_at(walk, walk.near) - walk.step;
+    walk.last_row = trees_row_at(walk, walk.far) + walk.step;
     walk.lane = 1;
     walk.last_lane = 0;
     walk.unprobed = 1000;
@@ -129,7 +129,7 @@ fn trees_walk(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeWalk 
 }
 
 /// The row that a ray is in at `t` (m).
-fn row_at(walk: TreeWalk, t: f32) -> i32 {
+fn trees_row_at(walk: TreeWalk, t: f32) -> i32 {
     let p = walk.origin + t * walk.direction;
     return i32(floor(select(p.z, p.x, walk.eastward) / trees.spacing));
 }
@@ -148,7 +148,7 @@ fn trees_lanes(walk: ptr<function, TreeWalk>) {
 }
 
 /// The next tree whose room the ray passes through; `found` is false when the walk is over.
-struct Met {
+struct TreeMet {
     /// The tree, with its foot on the ground.
     tree: Tree,
     /// Where the ray enters the upright cylinder around it, and leaves it (m).
@@ -160,10 +160,10 @@ struct Met {
 /// Walks on to the next tree.
 ///
 /// Cells whose tree the ray passes at more than a crown's width cost a hash; the woods are asked next, and only then
-/// the ground. Where the ray is high above the trees it skips rows. `patience`: cells looked at most in all; `thinning`: distance (m) from
-/// which on trees begin to be left out.
-fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Met {
-    var met: Met;
+/// the ground. Where the ray is high above the trees it skips rows. `patience`: cells looked at most in all; `thinning`:
+/// distance (m) from which on trees begin to be left out.
+fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> TreeMet {
+    var met: TreeMet;
     let origin = (*walk).origin;
     let direction = (*walk).direction;
     let level2 = max(dot(direction.xz, direction.xz), 1e-12);
@@ -191,7 +191,7 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Me
 
         let to_tree = tree.foot.xz - origin.xz;
         let nearest = clamp(dot(to_tree, direction.xz) / level2, (*walk).near, (*walk).far);
-        let offset = length2(to_tree - nearest * direction.xz);
+        let offset = length(to_tree - nearest * direction.xz);
         var candidate = offset < tree.radius;
         if candidate && thinning > 0.0 {
             candidate = nearest < thinning * (1.0 + 0.5 * unit_float(pcg(tree.id)));
@@ -242,7 +242,7 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Me
             if ahead >= (*walk).far {
                 break;
             }
-            let row = row_at(*walk, ahead) - (*walk).step;
+            let row = trees_row_at(*walk, ahead) - (*walk).step;
             if (row - (*walk).row) * (*walk).step > 0 {
                 (*walk).row = row - (*walk).step;
                 (*walk).lane = 1;
@@ -277,7 +277,7 @@ fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit 
         // The trunk: a cylinder.
         let level2 = dot(direction.xz, direction.xz);
         let to_axis = -dot(start.xz, direction.xz) / max(level2, 1e-12);
-        let offset = length2(start.xz + to_axis * direction.xz);
+        let offset = length(start.xz + to_axis * direction.xz);
         let trunk = max(tree.trunk, 0.3 * pixel_angle * met.enters);
         if offset < trunk {
             let chord = sqrt((trunk * trunk - offset * offset) / max(level2, 1e-12));
@@ -322,7 +322,7 @@ fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit 
             result.bark = bark;
             result.ground = walk.ground;
             walk.far = min(walk.far, found);
-            walk.last_row = row_at(walk, walk.far) + walk.step;
+            walk.last_row = trees_row_at(walk, walk.far) + walk.step;
         }
     }
     result.steps = walk.steps + marched;
@@ -361,7 +361,7 @@ fn trees_shadow(position: vec3f, footprint: f32) -> f32 {
         // The trunk, softened by the sun's width.
         let level2 = max(dot(to_sun.xz, to_sun.xz), 1e-12);
         let to_axis = -dot(start.xz, to_sun.xz) / level2;
-        let offset = length2(start.xz + to_axis * to_sun.xz);
+        let offset = length(start.xz + to_axis * to_sun.xz);
         let y = start.y + to_axis * to_sun.y;
         if to_axis > met.enters && y > 0.0 && y < tree.crown + 1.0 {
             let blur = sun.radius * to_axis + 0.5 * footprint + 0.01;
@@ -445,8 +445,8 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, sun_seen: f32) -> 
 
 /// The tree of a cell as it stands, with its foot on the ground; `found` is false where none does. One height of the
 /// land.
-fn trees_standing(cell: vec2i) -> Met {
-    var met: Met;
+fn trees_standing(cell: vec2i) -> TreeMet {
+    var met: TreeMet;
     let sapling = tree_in_cell(cell);
     let depth = woods_depth(sapling.foot.xz);
     if sapling.chance >= woods_density(depth) {
@@ -474,7 +474,7 @@ fn trees_sdf(p: vec3f, footprint: f32) -> f32 {
     for (var i = 0; i < 9; i++) {
         let neighbour = vec2i(cell) + vec2i(i % 3 - 1, i / 3 - 1);
         let sapling = tree_in_cell(neighbour);
-        if length2(p.xz - sapling.foot.xz) - sapling.radius > nearest {
+        if length(p.xz - sapling.foot.xz) - sapling.radius > nearest {
             continue;
         }
         let met = trees_standing(neighbour);

@@ -54,8 +54,8 @@ fn gerstner_pulsation(k: f32, depth: f32) -> f32 {
     return sqrt(9.81 * k * select(tanh(min(x, 20.0)), shallow, x < 0.1));
 }
 
-/// Wave number `i`: each about a sixth shorter than the one before, all equally steep, headings spread about the wind's,
-/// the short ones more.
+/// Wave number `i`: lengths fall by a factor of 32 over all of them, all are equally steep, headings are spread about the
+/// wind's, those of the short ones more.
 fn gerstner_wave(i: i32) -> GerstnerWave {
     let bits = pcg(u32(i) + pcg(4099u));
     let part = f32(i) / f32(GERSTNER_WAVES);

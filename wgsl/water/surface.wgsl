@@ -105,8 +105,8 @@ fn water_trace(origin: vec3f, direction: vec3f, far: f32) -> WaterHit {
 ///
 /// Waves that are too small to see tilt the mirror toward the eye, as far as those that are seen do on the average, and
 /// make the sun's image a glitter path. The one facet's reflectance is that of all within .02 for slopes of .05, .08 for
-/// .2; a smooth surface's would be off by .23 and .6. A renderer that accumulates frames draws a facet at random for every one, by
-/// `frame.jitter`: what is mirrored is then blurred as it should be.
+/// .2; a smooth surface's would be off by .23 and .6. A renderer that accumulates frames draws a facet at random
+/// for every one, by `frame.jitter`: what is mirrored is then blurred as it should be.
 fn water_mirror(direction: vec3f, waves: Waves, sun_seen: f32) -> WaterMirror {
     let to_eye = vec3f(-direction.x, max(-direction.y, 1e-4), -direction.z);
     let level = max(length(to_eye.xz), 1e-4);

@@ -6,7 +6,7 @@
 #include <march/heightfield_bounded.wgsl> as bounded with octave = relief_octave, octave_bounds = relief_bounds, ruggedness = relief_ruggedness
 #include <march/heightfield_fixed.wgsl> as fixed with height = relief_height
 #include <march/heightfield_relaxed.wgsl> as relaxed with height = relief_height
-#include <march/shadow.wgsl> as shadow with height = relief_height
+#include <march/shadow.wgsl> as land with height = relief_height
 
 // Powers of the turn by 36.87 degrees.
 const RELIEF_TURNS: array<vec2f, 10> = array<vec2f, 10>(
