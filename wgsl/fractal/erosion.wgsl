@@ -40,6 +40,7 @@ const EROSION_JITTER: f32 = 0.8; // how far over its cell a stripe's middle may 
 const EROSION_REACH2: f32 = 2.56; // squared reach of a cell's stripes: 1.6 cells, so that 4x4 cells are all that count
 const EROSION_FLOOR: f32 = 0.35; // coherence, in parts of the full one, below which stripes that cancel stay weak
 const EROSION_BLUNT: f32 = 0.1; // squared slope, in parts of the assumed one, under which gullies lose their lead
+const EROSION_COLUMNS: vec4f = vec4f(-1.0, 0.0, 1.0, 2.0); // of the cells that count
 const EROSION_TAU: f32 = 6.2831853;
 
 /// Two waves a quarter apart, each with its gradient: (value, d/dx, d/dy), |value| <= 1.
@@ -129,46 +130,65 @@ fn erosion2(p: vec2f, land: Jet2, how: Erosion, seed: u32) -> vec3f {
     return how.strength * (change + left * rest);
 }
 
+/// Weighted sums over cells, each with its gradient: of both waves, and of the weights.
+struct ErosionSums {
+    even: vec3f,
+    odd: vec3f,
+    total: vec3f,
+}
+
+/// The part of the four cells of a row in the sums. `columns` and `row_hash` are the cells' places as hash input,
+/// `offset` is from the middle of cell (0, `row`).
+fn erosion_row(columns: vec4u, row_hash: u32, offset: vec2f, wave: vec2f, turn: mat2x2f) -> ErosionSums {
+    // Where the cells' stripes have their middles is `pcg2d`, four times.
+    var x = columns * 1664525u + 1013904223u;
+    var y = vec4u(row_hash * 1664525u + 1013904223u);
+    x += y * 1664525u;
+    y += x * 1664525u;
+    x ^= x >> vec4u(16u);
+    y ^= y >> vec4u(16u);
+    x += y * 1664525u;
+    y += x * 1664525u;
+    x ^= x >> vec4u(16u);
+    y ^= y >> vec4u(16u);
+    let offset_x = offset.x - EROSION_COLUMNS - EROSION_JITTER * (vec4f(x >> vec4u(8u)) / 16777216.0 - 0.5);
+    let offset_y = offset.y - EROSION_JITTER * (vec4f(y >> vec4u(8u)) / 16777216.0 - 0.5);
+    // Near to exp(-2 d²) - 0.01111, but smooth where it ends.
+    let near = max(1.0 - (offset_x * offset_x + offset_y * offset_y) / EROSION_REACH2, vec4f(0.0));
+    let near3 = near * near * near;
+    let weight = near3 * near;
+    let fading_x = (-8.0 / EROSION_REACH2) * near3 * offset_x;
+    let fading_y = (-8.0 / EROSION_REACH2) * near3 * offset_y;
+    let phase = wave.x * offset_x + wave.y * offset_y;
+    let c = cos(phase);
+    let s = sin(phase);
+    let advance_x = weight * (wave.x + turn[0].x * offset_x + turn[0].y * offset_y); // the wave vector turns while q
+    let advance_y = weight * (wave.y + turn[1].x * offset_x + turn[1].y * offset_y); // moves
+    return ErosionSums(
+        vec3f(dot(weight, c), dot(c, fading_x) - dot(s, advance_x), dot(c, fading_y) - dot(s, advance_y)),
+        vec3f(dot(weight, s), dot(s, fading_x) + dot(c, advance_x), dot(s, fading_y) + dot(c, advance_y)),
+        vec3f(dot(weight, vec4f(1.0)), dot(fading_x, vec4f(1.0)), dot(fading_y, vec4f(1.0))),
+    );
+}
+
 /// Stripes at `q`, in cells: waves of the given wave vector through the middles of the cells around, blended.
 ///
-/// `turn`: the wave vector's derivatives, a column an axis of `q`. Sixteen cells.
+/// `turn`: the wave vector's derivatives, a column an axis of `q`. Sixteen cells, row by row and not in a loop: software
+/// GPUs grant an invocation 65,535 turns of loops, and marches spend them.
 fn erosion_wave(q: vec2f, wave: vec2f, turn: mat2x2f, seed: u32) -> ErosionWave {
     let lattice = floor(q);
     let t = q - lattice;
     let corner = vec2i(lattice);
     let key = pcg(seed);
-    var even = vec3f(0.0);
-    var odd = vec3f(0.0);
-    var total = vec3f(0.0);
-    const COLUMNS: vec4f = vec4f(-1.0, 0.0, 1.0, 2.0);
-    let hash_x = bitcast<vec4u>(corner.x + vec4i(COLUMNS)) + key;
-    for (var j = -1; j <= 2; j++) {
-        // The four cells of a row at once: where they end up is `pcg2d`, four times.
-        var x = hash_x * 1664525u + 1013904223u;
-        var y = vec4u(bitcast<u32>(corner.y + j) + key) * 1664525u + 1013904223u;
-        for (var round = 0; round < 2; round++) {
-            x += y * 1664525u;
-            y += x * 1664525u;
-            x ^= x >> vec4u(16u);
-            y ^= y >> vec4u(16u);
-        }
-        let offset_x = t.x - COLUMNS - EROSION_JITTER * (vec4f(x >> vec4u(8u)) / 16777216.0 - 0.5);
-        let offset_y = t.y - f32(j) - EROSION_JITTER * (vec4f(y >> vec4u(8u)) / 16777216.0 - 0.5);
-        let near = max(1.0 - (offset_x * offset_x + offset_y * offset_y) / EROSION_REACH2, vec4f(0.0));
-        // Near to exp(-2 d²) - 0.01111, but smooth where it ends.
-        let near3 = near * near * near;
-        let weight = near3 * near;
-        let fading_x = (-8.0 / EROSION_REACH2) * near3 * offset_x;
-        let fading_y = (-8.0 / EROSION_REACH2) * near3 * offset_y;
-        let phase = wave.x * offset_x + wave.y * offset_y;
-        let c = cos(phase);
-        let s = sin(phase);
-        let advance_x = weight * (wave.x + turn[0].x * offset_x + turn[0].y * offset_y); // the wave vector turns while
-        let advance_y = weight * (wave.y + turn[1].x * offset_x + turn[1].y * offset_y); // q moves
-        even += vec3f(dot(weight, c), dot(c, fading_x) - dot(s, advance_x), dot(c, fading_y) - dot(s, advance_y));
-        odd += vec3f(dot(weight, s), dot(s, fading_x) + dot(c, advance_x), dot(s, fading_y) + dot(c, advance_y));
-        total += vec3f(dot(weight, vec4f(1.0)), dot(fading_x, vec4f(1.0)), dot(fading_y, vec4f(1.0)));
-    }
+    let columns = bitcast<vec4u>(corner.x + vec4i(EROSION_COLUMNS)) + key;
+    let row = bitcast<u32>(corner.y) + key;
+    let a = erosion_row(columns, row - 1u, t + vec2f(0.0, 1.0), wave, turn);
+    let b = erosion_row(columns, row, t, wave, turn);
+    let c = erosion_row(columns, row + 1u, t - vec2f(0.0, 1.0), wave, turn);
+    let d = erosion_row(columns, row + 2u, t - vec2f(0.0, 2.0), wave, turn);
+    let even = a.even + b.even + c.even + d.even;
+    let odd = a.odd + b.odd + c.odd + d.odd;
+    let total = a.total + b.total + c.total + d.total;
     // Waves of neighbouring cells cancel here and there; make up for most of it, but let a gully end where they do.
     let floor2 = EROSION_FLOOR * EROSION_FLOOR;
     let size = sqrt(even.x * even.x + odd.x * odd.x + floor2 * total.x * total.x);
