@@ -138,16 +138,11 @@ fn sums(i: u32) -> vec4f {{
 #[test]
 fn perlin_worley_noise_equals_f64() {
     let mut report = Report::new(SECTION, "perlin_worley_noise_equals_f64");
-    let scope = Scope { includes: &["<noise/perlin_worley.wgsl>"], ..Scope::default() };
-    let points = Random::new(12).points::<3>(30_000, 100.0);
-    let found = values("perlin_worley3_tiled(p, vec3u(4u, 7u, 1u), 7u)", &scope, ["x", "y", "z"], &points);
-    let error = points
-        .iter()
-        .zip(&found)
-        .map(|(p, row)| (row[0] - perlin_worley3(p.map(f64::from), [4, 7, 1], 7)).abs())
-        .fold(0.0, f64::max);
-    report.at_most("`perlin_worley3_tiled`, 3e4 points in ±100", error, 2e-6);
-    let outside = found.iter().filter(|row| !(0.0..=1.0).contains(&row[0])).count();
+    let call = "perlin_worley3_tiled(p, vec3u(4u, 7u, 1u), 7u)";
+    let found = at_places::<3>(call, "<noise/perlin_worley.wgsl>", 1_000_000, 1e4);
+    let error = worst3(&found, 1e4, &|_, p| perlin_worley3(p, [4, 7, 1], 7));
+    report.at_most("`perlin_worley3_tiled`, 1e6 points in ±1e4", error, 2e-6);
+    let outside = found.iter().filter(|value| !(0.0..=1.0).contains(*value)).count();
     report.at_most("`perlin_worley3_tiled`, places outside 0 .. 1", outside as f64, 0.0);
     report.finish();
 }

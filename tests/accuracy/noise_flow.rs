@@ -1,9 +1,10 @@
 //! Curl noise and interleaved gradient noise.
 
 use truth::noise::{curl2, curl3, gradient, interleaved_gradient};
-use truth::points::Random;
+use truth::points::{Random, worst2, worst3};
 
 use crate::harness::{Report, Scope, values};
+use crate::noise::at_places;
 
 const SECTION: &str = "Noise: flow and dither";
 
@@ -42,6 +43,13 @@ fn curl_noise_has_no_divergence() {
         (along(0) + along(1) + along(2)).abs()
     }));
     report.at_most("`curl_noise3`, divergence in f64", divergence, 1e-5);
+    let file = "<noise/curl.wgsl>";
+    let found = at_places::<2>("curl_noise2(p, 7u).x", file, 1_000_000, 1e4);
+    let error = worst2(&found, 1e4, &|_, p| curl2(p, 7)[0]);
+    report.at_most("`curl_noise2`, 1e6 points in ±1e4", error, 2e-6);
+    let found = at_places::<3>("curl_noise3(p, 7u).x", file, 1_000_000, 1e4);
+    let error = worst3(&found, 1e4, &|_, p| curl3(p, 7)[0]);
+    report.at_most("`curl_noise3`, 1e6 points in ±1e4", error, 2e-6);
     report.finish();
 }
 

@@ -313,3 +313,20 @@ fn from_below_water_shows_a_window() {
     report.at_most("outside of it: what comes through", outside, 0.0);
     report.finish();
 }
+
+#[test]
+fn water_is_seen_from_a_hundred_kilometres() {
+    let mut report = Report::new(SECTION, "water_is_seen_from_a_hundred_kilometres");
+    let mut preset = Preset::of_module("scene/landscape.wgsl");
+    for setting in ["landscape.water=true", "terrain.relief=fbm", "terrain.peak_height=60", "water.level=500"]
+    {
+        preset.set(setting).unwrap();
+    }
+    let scope = Scope { preset: Some(&preset), ..Scope::default() };
+    let eyes: Vec<[f32; 1]> = [600.0, 5e3, 44e3, 50e3, 100e3].map(|y| [y]).into();
+    let seen = values("scene_trace(vec3f(300.0, y, -200.0), vec3f(0.0, -1.0, 0.0))", &scope, ["y"], &eyes);
+    let error =
+        eyes.iter().zip(&seen).map(|([y], row)| (row[3] - f64::from(y - 500.0)).abs()).fold(0.0, f64::max);
+    report.at_most("looking straight down on it from .1 to 100 km: error of the distance, m", error, 0.01);
+    report.finish();
+}
