@@ -45,14 +45,14 @@ fn jet2_through(a: Jet2, f0: f32, f1: f32, f2: f32) -> Jet2 {
     return Jet2(f0, f1 * a.gradient, f1 * a.hessian + f2 * a.gradient.xxy * a.gradient.xyy);
 }
 
-/// A jet taken at q = `map` · p + constant, as a function of p.
-fn jet2_carried(a: Jet2, map: mat2x2f) -> Jet2 {
-    let turned_x = vec2f(dot(a.hessian.xy, map[0]), dot(a.hessian.yz, map[0])); // Hessian times the first column
-    let turned_y = vec2f(dot(a.hessian.xy, map[1]), dot(a.hessian.yz, map[1]));
+/// A jet taken at q = `to_q` · p + constant, as a function of p.
+fn jet2_carried(a: Jet2, to_q: mat2x2f) -> Jet2 {
+    let turned_x = vec2f(dot(a.hessian.xy, to_q[0]), dot(a.hessian.yz, to_q[0])); // Hessian times the first column
+    let turned_y = vec2f(dot(a.hessian.xy, to_q[1]), dot(a.hessian.yz, to_q[1]));
     return Jet2(
         a.value,
-        a.gradient * map, // a row vector times M is Mᵀ times the vector
-        vec3f(dot(map[0], turned_x), dot(map[0], turned_y), dot(map[1], turned_y)),
+        a.gradient * to_q, // a row vector times M is Mᵀ times the vector
+        vec3f(dot(to_q[0], turned_x), dot(to_q[0], turned_y), dot(to_q[1], turned_y)),
     );
 }
 
