@@ -40,6 +40,7 @@ fn largest(rows: &[Vec<f64>], what: impl Fn(&[f64]) -> f64) -> f64 {
 
 const BRUTE_FORCE: &str = r#"
 #include <math/rotation.wgsl>
+#include <sky/sky.wgsl>
 #include <terrain/height.wgsl>
 #include <trees/trees.wgsl>
 
@@ -187,6 +188,7 @@ fn crown_at(x: f32, y: f32, radius: f32, height: f32) -> f32 {
 
 const RAYS: &str = r#"
 #include <noise/pcg.wgsl>
+#include <sky/sky.wgsl>
 #include <terrain/height.wgsl>
 #include <trees/trees.wgsl>
 
@@ -284,6 +286,7 @@ fn rays_do_not_tunnel_through_trees() {
 fn trees_stand_only_where_the_limits_allow() {
     let mut report = Report::new("Trees", "trees_stand_only_where_the_limits_allow");
     let fragment = r#"
+#include <sky/sky.wgsl>
 #include <terrain/height.wgsl>
 #include <trees/trees.wgsl>
 
@@ -411,8 +414,8 @@ fn looked(seed: u32, place: u32) -> vec3f {
         direction = vec3f(select(-1.0, 1.0, (seed & 1u) == 0u), 0.0, 0.0);
     }
     let hit = trees_trace(origin, direction, 0.0, 200000.0);
-    let shadow = trees_shadow(origin + hit.distance * direction, 0.1);
-    let radiance = trees_shade(origin, direction, hit, shadow);
+    let shadow = trees_shadow(origin + hit.distance * direction, 0.1, sky_daylight(origin));
+    let radiance = trees_shade(origin, direction, hit, sky_daylight(origin), shadow);
     let all = vec4f(select(vec3f(0.0), radiance, hit.hit), shadow);
     let bits = bitcast<vec4u>(all) & vec4u(0x7f800000u);
     if any(bits == vec4u(0x7f800000u)) || !(abs(hit.distance) < 1e9) {
@@ -448,7 +451,7 @@ fn trees_take_light_and_never_give_it() {
 fn light_left(seed: u32) -> f32 {
     let origin = ray_origin(seed);
     let y = terrain_height_filtered(origin.xz, trees.spacing);
-    return trees_shadow(vec3f(origin.x, y, origin.z), 0.05);
+    return trees_shadow(vec3f(origin.x, y, origin.z), 0.05, sky_daylight(origin));
 }
 "#
     );

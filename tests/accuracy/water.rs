@@ -19,10 +19,11 @@ fn preset(settings: &[&str]) -> Preset {
 }
 
 const MIRROR: &str = "
+    #include <sky/sky.wgsl>
     #include <water/surface.wgsl>
     fn looked_at(elevation: f32, variance: f32, east: f32, south: f32) -> vec4f {
         let direction = vec3f(cos(elevation), -sin(elevation), 0.0);
-        let mirror = water_mirror(direction, Waves(0.0, vec2f(east, south), variance, 0.0), 1.0);
+        let mirror = water_mirror(direction, Waves(0.0, vec2f(east, south), variance, 0.0), sky_daylight(vec3f(0.0)), 1.0);
         return vec4f(mirror.direction, mirror.reflectance);
     }";
 
@@ -244,12 +245,13 @@ fn the_waterline_has_no_step() {
     let preset = preset(&["water.waves=noise", "water.slope=0.05", "water.foam=1", "water.lanes=0.5"]);
     // What is seen, with a mirrored radiance of 1, as the ground goes down by a tenth a metre.
     let fragment = "
+        #include <sky/sky.wgsl>
         #include <water/shade.wgsl>
         fn shore(depth: f32, elevation: f32, footprint: f32) -> vec3f {
             let direction = vec3f(cos(elevation), -sin(elevation), 0.0);
             let place = vec3f(3.0 + depth, 0.0, 7.0);
             let seen = water_seen_from_above(
-                place, direction, footprint, vec3f(0.3, 0.25, 0.2), depth, 1.1 * depth, water_edge(footprint, 0.1), 1.0,
+                place, direction, footprint, vec3f(0.3, 0.25, 0.2), depth, 1.1 * depth, water_edge(footprint, 0.1), sky_daylight(place), 1.0,
             );
             return seen.own + seen.passed;
         }";
@@ -289,10 +291,11 @@ fn the_waterline_has_no_step() {
 fn from_below_water_shows_a_window() {
     let preset = preset(&["water.waves=none", "water.absorption=[0, 0, 0]"]);
     let fragment = "
+        #include <sky/sky.wgsl>
         #include <water/shade.wgsl>
         fn window(zenith: f32) -> vec4f {
             let direction = vec3f(sin(zenith), cos(zenith), 0.0);
-            let seen = water_seen_from_below(vec3f(0.0), direction, 5.0, -5.0);
+            let seen = water_seen_from_below(vec3f(0.0), direction, 5.0, -5.0, sky_daylight(vec3f(0.0)));
             return vec4f(seen.direction, seen.passed.x);
         }";
     let scope = Scope { fragment, preset: Some(&preset), ..Scope::default() };

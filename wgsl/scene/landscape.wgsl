@@ -2,8 +2,9 @@
 
 #include <camera/camera.wgsl>
 #include <camera/display.wgsl>
+#include <geometry/ray.wgsl>
 #include <sky/cirrus.wgsl>
-#include <sky/gradient.wgsl>
+#include <sky/sky.wgsl>
 #include <terrain/height.wgsl>
 #include <terrain/shade.wgsl>
 
@@ -86,13 +87,14 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             distance = way;
         }
         let end = start + way * toward;
+        let day = sky_daylight(select(origin, end, land.hit || wet || leafy));
         let footprint = terrain_footprint(gone + way);
 
         // What is lit there: the tree, the ground at the end of the ray, or the ground under the water, to where its
         // refraction leads.
         var spot = end.xz;
         var position = end;
-        var normal = sun_direction();
+        var normal = day.to_sun;
         var slope = 0.0;
         var lit = vec3f(0.0);
         var sun_seen = 1.0;
@@ -111,17 +113,17 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             }
             // The sun goes into water where the eye looks in, near enough.
             let shadowed = select(position, end, wet);
-            sun_seen = terrain_shadow(shadowed, select(normal, vec3f(0.0, 1.0, 0.0), wet), footprint);
+            sun_seen = terrain_shadow(shadowed, select(normal, vec3f(0.0, 1.0, 0.0), wet), footprint, day);
 #if landscape.trees
             if sun_seen > 0.0 {
-                sun_seen *= trees_shadow(shadowed, footprint);
+                sun_seen *= trees_shadow(shadowed, footprint, day);
             }
             if leafy {
-                lit = trees_shade(start, toward, tree, sun_seen);
+                lit = trees_shade(start, toward, tree, day, sun_seen);
             }
 #endif
             if !leafy {
-                lit = terrain_shade(position, normal, footprint, sun_seen);
+                lit = terrain_shade(position, normal, footprint, day, sun_seen);
             }
         }
 
@@ -130,13 +132,13 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             let covered = water_footprint(way, toward);
             let bed_depth = max(end.y - position.y, 0.0);
             let edge = water_edge(covered, slope);
-            surface = water_seen_from_above(end, toward, covered, lit, depth, bed_depth, edge, sun_seen);
+            surface = water_seen_from_above(end, toward, covered, lit, depth, bed_depth, edge, day, sun_seen);
             in_air = true;
         } else if wet {
-            surface = water_seen_from_below(end, toward, way, origin.y);
+            surface = water_seen_from_below(end, toward, way, origin.y, day);
         } else if bounce == 0 && submerged {
             // Under water, and no surface ahead: the ground, or the deep.
-            radiance = water_around(lit, way, water.level - position.y, origin.y);
+            radiance = water_around(lit, way, water.level - position.y, origin.y, day);
             break;
         }
         if wet {
@@ -154,11 +156,11 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 #endif
 
         // What a ray through air sees.
-        if land.hit || leafy {
-            radiance = sky_veil(lit, start, toward, way);
-        } else {
-            let clear = sky_radiance(toward) + select(vec3f(0.0), sun_disc(toward), sun_shows);
-            radiance = cirrus_veil(clear, start, toward);
+        let ends = land.hit || leafy;
+        let behind = select(select(vec3f(0.0), sky_beyond(toward), sun_shows), lit, ends);
+        radiance = sky_veil(behind, start, toward, select(RAY_FAR, way, ends));
+        if !ends {
+            radiance = cirrus_veil(radiance, start, toward, day);
         }
         break;
     }

@@ -1,9 +1,9 @@
 // Thin ice clouds, high up: combed by the wind, too thin to throw shadows.
 
 #include <fractal/fbm.wgsl> as cirrus with noise2 = perlin_noise2_grad
+#include <light/daylight.wgsl>
 #include <math/rotation.wgsl>
 #include <noise/perlin.wgsl>
-#include <sky/gradient.wgsl>
 
 /// How much of the sky thin clouds veil: 0 none.
 #param sky.cirrus_cover: f32 = 0.0, range 0 .. 1
@@ -17,8 +17,9 @@
 const CIRRUS_HEIGHT: f32 = 9000.0; // m
 const CIRRUS_LENGTH: f32 = 14000.0; // m: of the largest wisps, along the wind
 
-/// `behind`, the sky's radiance in `direction`, seen through the cirrus. Seen from above or below alike.
-fn cirrus_veil(behind: vec3f, origin: vec3f, direction: vec3f) -> vec3f {
+/// `behind`, the sky's radiance in `direction`, seen through the cirrus in the light of `day`. Seen from above or below
+/// alike.
+fn cirrus_veil(behind: vec3f, origin: vec3f, direction: vec3f, day: Daylight) -> vec3f {
     let climb = CIRRUS_HEIGHT - origin.y;
     if sky.cirrus_cover <= 0.0 || climb * direction.y <= 0.0 {
         return behind;
@@ -32,7 +33,7 @@ fn cirrus_veil(behind: vec3f, origin: vec3f, direction: vec3f) -> vec3f {
     let threshold = 0.75 - 1.3 * sky.cirrus_cover;
     let thickness = smoothstep(threshold, threshold + 1.1, wisps + 0.8 * fields);
     let near = smoothstep(0.03, 0.22, abs(direction.y)); // at the horizon the haze hides them
-    let toward_sun = max(dot(direction, sun_direction()), 0.0);
-    let light = 0.16 * sun_light() * (0.7 + 1.6 * pow(toward_sun, 8.0)) + 0.25 * sky_irradiance();
+    let toward_sun = max(dot(direction, day.to_sun), 0.0);
+    let light = 0.16 * day.sun * (0.7 + 1.6 * pow(toward_sun, 8.0)) + 0.25 * day.sky;
     return mix(behind, light, near * sky.cirrus_opacity * thickness);
 }

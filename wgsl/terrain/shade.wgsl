@@ -1,12 +1,11 @@
 // How the land is found by a ray, shadowed and lit.
 
 #include <camera/camera.wgsl>
+#include <light/daylight.wgsl>
 #include <light/outdoor.wgsl>
 #include <march/hit.wgsl>
 #include <march/shadow.wgsl> as cast with height = terrain_height_filtered
 #include <quality.wgsl>
-#include <sky/gradient.wgsl>
-#include <sun/sun.wgsl>
 #include <terrain/height.wgsl>
 #include <terrain/material.wgsl>
 // A plain sum of octaves is marched without missing anything; other reliefs by steps that tests have shown to be safe.
@@ -69,27 +68,26 @@ fn terrain_trace(origin: vec3f, direction: vec3f) -> MarchHit {
 }
 
 /// Part of the sun that the land leaves to `position` (m), 0 .. 1; `normal` is the land's there.
-fn terrain_shadow(position: vec3f, normal: vec3f, footprint: f32) -> f32 {
-    let to_sun = sun_direction();
-    if dot(normal, to_sun) <= 0.0 {
+fn terrain_shadow(position: vec3f, normal: vec3f, footprint: f32, day: Daylight) -> f32 {
+    if dot(normal, day.to_sun) <= 0.0 {
         return 0.0;
     }
     let start = position + max(0.5 * footprint, 0.02) * normal;
     return cast_shadow_soft(
-        start, to_sun, sun.radius, max(2.0 * footprint, 0.3), terrain.shadow_reach, terrain_ceiling(), footprint,
+        start, day.to_sun, day.radius, max(2.0 * footprint, 0.3), terrain.shadow_reach, terrain_ceiling(), footprint,
         LAND_SHADOW_STEPS,
     );
 }
 
-/// Radiance of the ground at `position` (m) with unit `normal` and `sun_seen` of the sun, 0 .. 1; no haze.
-fn terrain_shade(position: vec3f, normal: vec3f, footprint: f32, sun_seen: f32) -> vec3f {
+/// Radiance of the ground at `position` (m) with unit `normal` in the light of `day`, of whose sun `sun_seen` is seen,
+/// 0 .. 1; no haze.
+fn terrain_shade(position: vec3f, normal: vec3f, footprint: f32, day: Daylight, sun_seen: f32) -> vec3f {
     let here = terrain_material(position, normal, footprint);
     // A hollow is where the land around is higher than here: it sees less of the sky.
     let around = terrain_height_filtered(position.xz, terrain.hollow);
     let openness = clamp(0.85 + 1.2 * (position.y - around) / terrain.hollow, 0.35, 1.0);
     return outdoor_radiance(
-        here.albedo, here.normal, sun_direction(), sun_light(), sky_irradiance(), sun_seen, openness,
-        terrain.surroundings,
+        here.albedo, here.normal, day.to_sun, day.sun, day.sky, sun_seen, openness, terrain.surroundings,
     );
 }
 

@@ -1,10 +1,9 @@
 // Trees: how a ray finds them, what they leave of the sun, and how they look.
 
 #include <camera/camera.wgsl>
+#include <light/daylight.wgsl>
 #include <light/outdoor.wgsl>
 #include <quality.wgsl>
-#include <sky/gradient.wgsl>
-#include <sun/sun.wgsl>
 #include <terrain/height.wgsl>
 #include <trees/cover.wgsl>
 #include <trees/tree.wgsl>
@@ -333,8 +332,8 @@ fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit 
 ///
 /// Light is lost along its way through leaves: exp(-length / `trees.clearness`), with the leaves as the crowns have
 /// them, blurred by the sun's width the farther off the more. Beyond where single trees are drawn: 1.
-fn trees_shadow(position: vec3f, footprint: f32) -> f32 {
-    let to_sun = sun_direction();
+fn trees_shadow(position: vec3f, footprint: f32, day: Daylight) -> f32 {
+    let to_sun = day.to_sun;
     let drawn = trees.far * camera_pixel_angle();
     let fade = 1.0 - smoothstep(0.5 * drawn, drawn, footprint);
     if to_sun.y <= 0.0 || fade <= 0.0 {
@@ -364,7 +363,7 @@ fn trees_shadow(position: vec3f, footprint: f32) -> f32 {
         let offset = length(start.xz + to_axis * to_sun.xz);
         let y = start.y + to_axis * to_sun.y;
         if to_axis > met.enters && y > 0.0 && y < tree.crown + 1.0 {
-            let blur = sun.radius * to_axis + 0.5 * footprint + 0.01;
+            let blur = day.radius * to_axis + 0.5 * footprint + 0.01;
             thickness += 4.0 * min(tree.trunk / blur, 1.0) * (1.0 - smoothstep(-blur, blur, offset - tree.trunk));
         }
         if leaves <= enters {
@@ -374,7 +373,7 @@ fn trees_shadow(position: vec3f, footprint: f32) -> f32 {
         var passed = 0.0;
         for (var k = 0; k < TREE_LOOKS; k++) {
             let t = enters + (f32(k) + 0.5) * step;
-            let blur = 0.12 + sun.radius * t + 0.5 * footprint;
+            let blur = 0.12 + day.radius * t + 0.5 * footprint;
             let field = crown_field(tree, start + t * to_sun, 2.0 * blur).x;
             passed += 1.0 - smoothstep(-blur, blur, field);
         }
@@ -383,15 +382,16 @@ fn trees_shadow(position: vec3f, footprint: f32) -> f32 {
     return mix(1.0, exp(-thickness), fade);
 }
 
-/// Radiance of a tree that a ray met, without haze; `sun_seen`: what the land and the trees leave of the sun.
+/// Radiance of a tree that a ray met, in the light of `day`, without haze; `sun_seen`: what the land and the trees leave
+/// of the sun.
 ///
 /// Leaves reflect and let through about as much: a crown against the sun glows. What lies deep in the crown, or low
 /// in the woods, sees less of the sky.
-fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, sun_seen: f32) -> vec3f {
+fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, day: Daylight, sun_seen: f32) -> vec3f {
     let position = origin + hit.distance * direction;
     let tree = hit.tree;
     let q = position - tree.foot;
-    let to_sun = sun_direction();
+    let to_sun = day.to_sun;
     let footprint = hit.distance * camera_pixel_angle();
     let up = clamp(q.y / tree.height, 0.0, 1.0);
     let dice = unit_float3(pcg3d(vec3u(tree.id, 11u, 13u)));
@@ -401,7 +401,7 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, sun_seen: f32) -> 
         let albedo = trees.bark * (0.8 + 0.5 * dice.x) * (1.0 + 0.4 * grain);
         let open = 0.35;
         return outdoor_radiance(
-            albedo, axis, to_sun, sun_light(), sky_irradiance(), sun_seen, open, vec3f(0.04, 0.05, 0.02),
+            albedo, axis, to_sun, day.sun, day.sky, sun_seen, open, vec3f(0.04, 0.05, 0.02),
         );
     }
     let hull = crown_hull(tree, q, footprint);
@@ -435,11 +435,11 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, sun_seen: f32) -> 
     let deep = max(-0.35 * dot(crown_amplitudes(tree), vec3f(1.0)) - outside, 0.0);
     let open = exp(-0.9 * deep / trees.clearness) * mix(0.35, 1.0, up * up) * (0.75 + 0.25 * normal.y);
     let facing = dot(normal, to_sun);
-    let lit = sun_light() * sun_seen;
+    let lit = day.sun * sun_seen;
     let reflected = max(facing, 0.0) * 0.85 + 0.15 * max(facing + 0.5, 0.0); // leaves stand at all angles
     let glow = max(0.35 - 0.65 * facing, 0.0) * (0.5 + 0.5 * smoothstep(-0.2, 0.9, dot(direction, to_sun)));
-    let ambient = sky_irradiance() * (0.5 + 0.5 * normal.y) * open;
-    let bounce = 0.05 * sun_light() * max(to_sun.y, 0.0) * (0.5 - 0.5 * normal.y) * open;
+    let ambient = day.sky * (0.5 + 0.5 * normal.y) * open;
+    let bounce = 0.05 * day.sun * max(to_sun.y, 0.0) * (0.5 - 0.5 * normal.y) * open;
     return turned_up * (leaf * (lit * reflected + ambient + bounce) + through * lit * glow) / 3.14159265;
 }
 

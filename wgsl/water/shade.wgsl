@@ -1,8 +1,7 @@
 // Water seen by a ray: what it hides, what it mirrors, and how much of what lies behind is left.
 
+#include <light/daylight.wgsl>
 #include <light/fresnel.wgsl>
-#include <sky/gradient.wgsl>
-#include <sun/sun.wgsl>
 #include <water/foam.wgsl>
 #include <water/level.wgsl>
 #include <water/optics.wgsl>
@@ -18,9 +17,9 @@ struct WaterSeen {
     direction: vec3f,
 }
 
-/// Irradiance of level water of which the land leaves `sun_seen` of the sun.
-fn water_irradiance(sun_seen: f32) -> vec3f {
-    return sun_seen * max(sun_direction().y, 0.0) * sun_light() + sky_irradiance();
+/// Irradiance of level water to which the land leaves `sun_seen` of the sun.
+fn water_irradiance(day: Daylight, sun_seen: f32) -> vec3f {
+    return sun_seen * max(day.to_sun.y, 0.0) * day.sun + day.sky;
 }
 
 /// How deep (m) the ground of slope `slope` must lie for the water over it to look like water: what a pixel covers of it.
@@ -41,12 +40,13 @@ fn water_seen_from_above(
     depth: f32,
     bed_depth: f32,
     edge: f32,
+    day: Daylight,
     sun_seen: f32,
 ) -> WaterSeen {
     let waves = water_surface_waves(position.xz, footprint);
-    let mirror = water_mirror(direction, waves, sun_seen);
+    let mirror = water_mirror(direction, waves, day, sun_seen);
     let presence = water_presence(depth, edge);
-    let irradiance = water_irradiance(sun_seen);
+    let irradiance = water_irradiance(day, sun_seen);
     let path = max(bed_depth, 0.0) / max(-water_refracted_down(direction).y, 0.1);
     let under = water_over_ground(bed, presence, max(bed_depth, 0.0), path, irradiance);
     let foam = max(shore_foam(position.xz, depth, footprint), 0.8 * presence * waves.foam);
@@ -58,14 +58,14 @@ fn water_seen_from_above(
 }
 
 /// Radiance of water lit from above, seen from inside of it, at `y` (m) above sea level.
-fn water_glow(y: f32) -> vec3f {
-    return water_deep_radiance(water_irradiance(1.0)) * water_transmittance(max(water.level - y, 0.0));
+fn water_glow(y: f32, day: Daylight) -> vec3f {
+    return water_deep_radiance(water_irradiance(day, 1.0)) * water_transmittance(max(water.level - y, 0.0));
 }
 
 /// The surface seen from below in the unit `direction` (`direction.y` > 0), `distance` (m) away from an eye at `origin_y`.
 ///
 /// Inside of Snell's window the world above is seen, squeezed together; outside of it the water mirrors its own depth.
-fn water_seen_from_below(position: vec3f, direction: vec3f, distance: f32, origin_y: f32) -> WaterSeen {
+fn water_seen_from_below(position: vec3f, direction: vec3f, distance: f32, origin_y: f32, day: Daylight) -> WaterSeen {
     let waves = water_surface_waves(position.xz, water_footprint(distance, direction));
     let normal = normalize(vec3f(-waves.slope.x, 1.0, -waves.slope.y));
     let cos_theta = clamp(dot(normal, direction), 0.0, 1.0);
@@ -75,12 +75,12 @@ fn water_seen_from_below(position: vec3f, direction: vec3f, distance: f32, origi
     var out = aside + sqrt(max(1.0 - sin2, 0.0)) * normal;
     out.y = max(out.y, 0.002);
     let left = water_transmittance(distance);
-    let glow = water_glow(origin_y);
+    let glow = water_glow(origin_y, day);
     return WaterSeen(glow * (1.0 - left * (1.0 - reflectance)), left * (1.0 - reflectance), normalize(out));
 }
 
 /// Ground with radiance `bed` in air, seen from inside of the water, `distance` (m) away and `depth` (m) down.
-fn water_around(bed: vec3f, distance: f32, depth: f32, origin_y: f32) -> vec3f {
+fn water_around(bed: vec3f, distance: f32, depth: f32, origin_y: f32, day: Daylight) -> vec3f {
     let left = water_transmittance(distance);
-    return bed * water_transmittance(max(depth, 0.0)) * left + water_glow(origin_y) * (1.0 - left);
+    return bed * water_transmittance(max(depth, 0.0)) * left + water_glow(origin_y, day) * (1.0 - left);
 }

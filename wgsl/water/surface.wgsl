@@ -2,9 +2,9 @@
 
 #include <camera/camera.wgsl>
 #include <frame.wgsl>
+#include <light/daylight.wgsl>
 #include <light/facets.wgsl>
 #include <light/fresnel.wgsl>
-#include <sun/sun.wgsl>
 #include <water/level.wgsl>
 #include <water/optics.wgsl>
 #include <water/wind.wgsl>
@@ -101,13 +101,13 @@ fn water_trace(origin: vec3f, direction: vec3f, far: f32) -> WaterHit {
 }
 
 /// What the surface with `waves` mirrors when it is looked at from above in the unit `direction`; `sun_seen` is the part of
-/// the sun that shines on it.
+/// the sun of `day` that shines on it.
 ///
 /// Waves that are too small to see tilt the mirror toward the eye, as far as those that are seen do on the average, and
 /// make the sun's image a glitter path. The one facet's reflectance is that of all within .02 for slopes of .05, .08 for
 /// .2; a smooth surface's would be off by .23 and .6. A renderer that accumulates frames draws a facet at random
 /// for every one, by `frame.jitter`: what is mirrored is then blurred as it should be.
-fn water_mirror(direction: vec3f, waves: Waves, sun_seen: f32) -> WaterMirror {
+fn water_mirror(direction: vec3f, waves: Waves, day: Daylight, sun_seen: f32) -> WaterMirror {
     let to_eye = vec3f(-direction.x, max(-direction.y, 1e-4), -direction.z);
     let level = max(length(to_eye.xz), 1e-4);
     let toward = select(vec2f(1.0, 0.0), to_eye.xz / level, level > 1e-4);
@@ -130,16 +130,16 @@ fn water_mirror(direction: vec3f, waves: Waves, sun_seen: f32) -> WaterMirror {
     var mirrored = 2.0 * cos_theta * normal - to_eye;
     mirrored.y = max(mirrored.y, 0.002);
 
-    let to_sun = sun_direction();
+    let to_sun = day.to_sun;
     var glint = vec3f(0.0);
     if to_sun.y > 0.0 {
         let half_way = normalize(to_sun + to_eye);
         let slope = vec2f(dot(half_way.xz, toward), dot(half_way.xz, beside)) / half_way.y;
-        let blur = sqrt(deviation * deviation + sun.radius * sun.radius / 16.0); // the sun's own width
+        let blur = sqrt(deviation * deviation + day.radius * day.radius / 16.0); // the sun's own width
         let area = level * facets_seen_area(tan_view + lean.x, deviation);
         let strength = facets_glint(slope - lean, half_way.y, blur, max(area, 1e-4));
         let reflected = fresnel_dielectric(clamp(dot(half_way, to_eye), 0.0, 1.0), WATER_IOR);
-        glint = min(sun_seen * reflected * strength * sun_light(), vec3f(200.0));
+        glint = min(sun_seen * reflected * strength * day.sun, vec3f(200.0));
     }
     return WaterMirror(normalize(mirrored), fresnel_dielectric(cos_theta, WATER_IOR), glint);
 }

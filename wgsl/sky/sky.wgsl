@@ -1,0 +1,31 @@
+// The sky of a scene: the model of air behind the functions that all scenes use.
+
+#include <geometry/ray.wgsl>
+#include <light/daylight.wgsl>
+#include <sky/air.wgsl>
+#include <sky/beyond.wgsl>
+#include <sky/gradient.wgsl>
+#include <sun/key.wgsl>
+
+/// The air from `origin` (m; `origin.y` above sea level) to `distance` (m) along the unit `direction`; from `RAY_FAR` on
+/// all of it.
+fn sky_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
+    return gradient_air(origin, direction, distance);
+}
+
+/// Radiance of the sky seen from `origin`: all that the air scatters, without what shines behind it.
+fn sky_radiance(origin: vec3f, direction: vec3f) -> vec3f {
+    let air = sky_air(origin, direction, RAY_FAR);
+    return air.from_sun + air.from_sky;
+}
+
+/// `radiance` as it is seen from `origin`, `distance` (m) away: dimmed by the air and veiled by the light that it scatters.
+fn sky_veil(radiance: vec3f, origin: vec3f, direction: vec3f, distance: f32) -> vec3f {
+    return sky_through(sky_air(origin, direction, distance), radiance);
+}
+
+/// The light that falls on things at `position` (m).
+fn sky_daylight(position: vec3f) -> Daylight {
+    let to_sun = key_direction();
+    return Daylight(to_sun, key_radius(), key_light(), gradient_irradiance());
+}
