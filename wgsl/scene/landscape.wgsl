@@ -3,7 +3,7 @@
 #include <camera/camera.wgsl>
 #include <camera/display.wgsl>
 #include <geometry/ray.wgsl>
-#include <sky/cirrus.wgsl>
+#include <scene/weather.wgsl>
 #include <sky/sky.wgsl>
 #include <terrain/height.wgsl>
 #include <terrain/shade.wgsl>
@@ -43,12 +43,11 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
     var start = origin;
     var toward = direction;
     var gone = 0.0; // way (m) of the first ray, if there is a second
-    var radiance = vec3f(0.0); // of the last ray
     var distance = terrain.far; // of the first
+    var radiance = vec3f(0.0); // what is seen so far
+    var passed = vec3f(1.0); // part of what the next ray sees that will be seen
 #if landscape.water
     let submerged = origin.y < water.level;
-    var surface = WaterSeen(vec3f(0.0), vec3f(1.0), direction); // what the first ray sees on its way to the second
-    var in_air = false; // whether the first ray ended on water seen from above
 #endif
 
     for (var bounce = 0; bounce < LANDSCAPE_RAYS; bounce++) {
@@ -83,12 +82,13 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             way = tree.distance;
         }
 #endif
-        if bounce == 0 && (land.hit || wet || leafy) {
+        let ends = land.hit || wet || leafy;
+        if bounce == 0 && ends {
             distance = way;
         }
         let end = start + way * toward;
-        let day = sky_daylight(select(origin, end, land.hit || wet || leafy));
         let footprint = terrain_footprint(gone + way);
+        let day = sky_daylight(select(origin, end, ends));
 
         // What is lit there: the tree, the ground at the end of the ray, or the ground under the water, to where its
         // refraction leads.
@@ -104,7 +104,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             spot += depth * down.xz / max(-down.y, 0.1);
         }
 #endif
-        if land.hit || wet || leafy {
+        if ends {
             if !leafy {
                 let relief = terrain_height_grad_filtered(spot, footprint);
                 normal = normalize(vec3f(-relief.y, 1.0, -relief.z));
@@ -125,54 +125,55 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             if !leafy {
                 lit = terrain_shade(position, normal, footprint, day, sun_seen);
             }
+        } else {
+            lit = sky_beyond(toward);
         }
 
 #if landscape.water
+        var through = vec3f(0.0); // part of what the next ray sees that the water lets the eye see
+        var onward = toward;
         if wet && !submerged {
             let covered = water_footprint(way, toward);
             let bed_depth = max(end.y - position.y, 0.0);
             let edge = water_edge(covered, slope);
-            surface = water_seen_from_above(end, toward, covered, lit, depth, bed_depth, edge, day, sun_seen);
-            in_air = true;
+            let seen = water_seen_from_above(end, toward, covered, lit, depth, bed_depth, edge, day, sun_seen);
+            lit = seen.own;
+            through = seen.passed;
+            onward = seen.direction;
         } else if wet {
-            surface = water_seen_from_below(end, toward, way, origin.y, day);
+            let seen = water_seen_from_below(end, toward, way, origin.y, day);
+            lit = seen.own;
+            through = seen.passed;
+            onward = seen.direction;
         } else if bounce == 0 && submerged {
             // Under water, and no surface ahead: the ground, or the deep.
-            radiance = water_around(lit, way, water.level - position.y, origin.y, day);
-            break;
+            lit = water_around(lit, way, water.level - position.y, origin.y, day);
+        } else if !ends && bounce > 0 && !submerged {
+            lit = vec3f(0.0); // the sun's image in water is its glint
         }
-        if wet {
-            if max(max(surface.passed.x, surface.passed.y), surface.passed.z) < 0.002 {
-                break; // nothing of a second ray would be seen
-            }
-            gone = way;
-            toward = surface.direction;
-            start = end + vec3f(0.0, max(0.02, 0.25 * footprint), 0.0);
-            continue;
-        }
-        let sun_shows = bounce == 0 || submerged; // in water the sun's image is its glint
+        let in_air = bounce > 0 || !submerged;
 #else
-        let sun_shows = true;
+        let in_air = true;
 #endif
 
-        // What a ray through air sees.
-        let ends = land.hit || leafy;
-        let behind = select(select(vec3f(0.0), sky_beyond(toward), sun_shows), lit, ends);
-        radiance = sky_veil(behind, start, toward, select(RAY_FAR, way, ends));
-        if !ends {
-            radiance = cirrus_veil(radiance, start, toward, day);
+        // The way there is air, unless the eye is under water and looks at it.
+        if in_air {
+            let air = weather_air(start, toward, select(RAY_FAR, way, ends), day);
+            radiance += passed * (air.from_sun + air.from_sky);
+            passed *= air.transmittance;
         }
-        break;
-    }
+        radiance += passed * lit;
 #if landscape.water
-    let seen = surface.own + surface.passed * radiance;
-    if in_air {
-        return Traced(sky_veil(seen, origin, direction, distance), distance);
-    }
-    return Traced(seen, distance);
-#else
-    return Traced(radiance, distance);
+        passed *= through;
+        if max(max(passed.x, passed.y), passed.z) < 0.002 {
+            break; // nothing of a second ray would be seen
+        }
+        gone = way;
+        toward = onward;
+        start = end + vec3f(0.0, max(0.02, 0.25 * footprint), 0.0);
 #endif
+    }
+    return Traced(radiance, distance);
 }
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.

@@ -4,6 +4,7 @@
 #include <light/daylight.wgsl>
 #include <math/rotation.wgsl>
 #include <noise/perlin.wgsl>
+#include <sky/air.wgsl>
 
 /// How much of the sky thin clouds veil: 0 none.
 #param sky.cirrus_cover: f32 = 0.0, range 0 .. 1
@@ -17,12 +18,12 @@
 const CIRRUS_HEIGHT: f32 = 9000.0; // m
 const CIRRUS_LENGTH: f32 = 14000.0; // m: of the largest wisps, along the wind
 
-/// `behind`, the sky's radiance in `direction`, seen through the cirrus in the light of `day`. Seen from above or below
+/// All of the `air` along a ray that meets nothing, with the cirrus in it, in the light of `day`. Seen from above or below
 /// alike.
-fn cirrus_veil(behind: vec3f, origin: vec3f, direction: vec3f, day: Daylight) -> vec3f {
+fn cirrus_in(air: SkyAir, origin: vec3f, direction: vec3f, day: Daylight) -> SkyAir {
     let climb = CIRRUS_HEIGHT - origin.y;
     if sky.cirrus_cover <= 0.0 || climb * direction.y <= 0.0 {
-        return behind;
+        return air;
     }
     let distance = climb / max(abs(direction.y), 0.01) * sign(direction.y);
     let place = rotate2(origin.xz + abs(distance) * direction.xz, -sky.cirrus_heading) / CIRRUS_LENGTH;
@@ -35,5 +36,7 @@ fn cirrus_veil(behind: vec3f, origin: vec3f, direction: vec3f, day: Daylight) ->
     let near = smoothstep(0.03, 0.22, abs(direction.y)); // at the horizon the haze hides them
     let toward_sun = max(dot(direction, day.to_sun), 0.0);
     let light = 0.16 * day.sun * (0.7 + 1.6 * pow(toward_sun, 8.0)) + 0.25 * day.sky;
-    return mix(behind, light, near * sky.cirrus_opacity * thickness);
+    let veiled = near * sky.cirrus_opacity * thickness;
+    let clear = 1.0 - veiled;
+    return SkyAir(clear * air.from_sun, clear * air.from_sky + veiled * light, clear * air.transmittance);
 }
