@@ -3,12 +3,17 @@
 #include <clouds/forms.wgsl>
 #include <frame.wgsl>
 #include <geometry/ray.wgsl>
+#include <light/daylight.wgsl>
+#include <light/phase.wgsl>
 #include <math/rotation.wgsl>
 #include <noise/perlin.wgsl>
 #include <noise/puffs.wgsl>
+#include <quality.wgsl>
 #include <sky/medium.wgsl>
+#include <sun/key.wgsl>
 
 #include <fractal/fbm3.wgsl> as cloud_sheet with noise3 = perlin_noise3_grad
+#include <march/volume.wgsl> as cloud_volume with density = cloud_extinction, vacancy = cloud_vacancy, span = cloud_ahead, source = cloud_source
 
 /// What shapes the clouds: `weather` cover and type that vary over the land, heaps with flat bases and billowing tops;
 /// `plain` a sheet of fBm; `boxed` puffs inside of a box.
@@ -52,6 +57,11 @@
 /// Size of the box from west to east and from north to south.
 #param clouds.box_size: vec2f = (4000, 4000), range 1 .. 1000000, unit m
 
+/// As far as clouds are looked for.
+#param clouds.far: f32 = 120000.0, range 100 .. 100000000, log, unit m
+/// Colour of the land or sea beneath: the light that it throws back lights the bases.
+#param clouds.ground: vec3f = (0.10, 0.11, 0.09), color
+
 // What of the cover a heap keeps to its edge, where `weather` puts the border of clouds.
 const CLOUD_BRINK: f32 = 0.24;
 // The second octave of heaps over the first, in strength and in frequency.
@@ -63,6 +73,11 @@ const CLOUD_REGION_GAIN: f32 = 0.6;
 // Puffs: octaves of the clouds' shape, octaves of their edges.
 const CLOUD_SHAPE_OCTAVES: i32 = 3;
 const CLOUD_OCTAVES: i32 = 5;
+// What the noise that clouds are cut out of is on average.
+const CLOUD_MEAN: f32 = 0.8;
+// Samples of a column's profile, and of a shadow.
+const CLOUD_COLUMN: i32 = 8;
+const CLOUD_SHADOW_SAMPLES: i32 = 12;
 // How deep `clouds.detail` = 1 eats, in units of the density before `clouds.softness`.
 const CLOUD_BITE: f32 = 0.5;
 // Water in the air at the bottom of a cloud over that at its top.
@@ -321,4 +336,115 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
     // Droplets grow on the way up: a base is thinner than a top.
     return clamp(eaten / clouds.softness, 0.0, 1.0) * mix(CLOUD_BASE_DENSITY, 1.0, height);
 #endif
+}
+
+/// Extinction (1/m) at `p` (m), without what `footprint` (m) can't show.
+fn cloud_extinction(p: vec3f, footprint: f32) -> f32 {
+    return clouds.extinction * cloud_density_filtered(p, footprint);
+}
+
+/// Where ahead of `origin` a ray can meet clouds: from x to y (m), nowhere if x >= y.
+fn cloud_ahead(origin: vec3f, direction: vec3f) -> vec2f {
+    let span = cloud_span(origin, direction);
+    return vec2f(max(span.near, 0.0), min(span.far, clouds.far));
+}
+
+/// Estimate of the optical depth straight above (x) and below (y) `p` (m), without a march: from the cover there and what
+/// the profile makes of mean noise.
+fn cloud_depths(p: vec3f) -> vec2f {
+    let height = clamp(cloud_height_fraction(p), 0.0, 1.0);
+#if clouds.form == weather
+    let weather = cloud_weather(p, height * clouds.thickness);
+    let stops = cloud_stops(weather.kind);
+    let cover = weather.cover;
+#else
+    let cover = clouds.coverage;
+#endif
+    var depths = vec2f(0.0);
+    for (var i = 0; i < CLOUD_COLUMN; i++) {
+        let at = (f32(i) + 0.5) / f32(CLOUD_COLUMN);
+#if clouds.form == weather
+        let density = cloud_cover(CLOUD_MEAN * cloud_gradient(at, stops), min(cover - clouds.taper * at * at, 1.0));
+#else
+        let density = 0.5 * cover * clouds.softness;
+#endif
+        let here = clamp(density / clouds.softness, 0.0, 1.0) * mix(CLOUD_BASE_DENSITY, 1.0, at);
+        let above = clamp(0.5 + (at - height) * f32(CLOUD_COLUMN), 0.0, 1.0);
+        depths += here * vec2f(above, 1.0 - above);
+    }
+    return depths * (clouds.extinction * clouds.thickness / f32(CLOUD_COLUMN));
+}
+
+/// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye; see <march/volume.wgsl>.
+fn cloud_source(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
+    let depths = cloud_depths(p);
+    let cos_theta = dot(direction, key_direction());
+    var sunny = 0.0;
+    var weight = 1.0;
+    for (var i = 0; i < 5; i++) {
+        sunny += weight * exp(-weight * light_depth) * phase_two_lobe(cos_theta, 0.8 * weight, -0.3 * weight, 0.85);
+        weight *= 0.5;
+    }
+    let from_above = 0.5 / (1.0 + 0.75 * 0.15 * depths.x);
+    let from_below = 0.5 / (1.0 + 0.75 * 0.15 * depths.y);
+    return vec3f(sunny, from_above / 3.14159265, from_below / 3.14159265);
+}
+
+/// What a ray sees of the clouds.
+struct CloudsSeen {
+    /// Radiance that they send to the ray's origin, without the air between.
+    radiance: vec3f,
+    /// Part of what is behind that shows, 0 .. 1.
+    transmittance: f32,
+    /// Mean distance of what is seen of them (m).
+    distance: f32,
+}
+
+/// The clouds between `near` and `far` (m) along the unit `direction`, in the light of `day`.
+///
+/// `jitter`: 0 .. 1, another one for each pixel. `pixel_angle`: of a pixel (rad).
+fn clouds_trace(
+    origin: vec3f,
+    direction: vec3f,
+    near: f32,
+    far: f32,
+    jitter: f32,
+    pixel_angle: f32,
+    day: Daylight,
+) -> CloudsSeen {
+    let span = cloud_ahead(origin, direction);
+    let begin = max(span.x, near);
+    let end = min(span.y, far);
+    if begin >= end {
+        return CloudsSeen(vec3f(0.0), 1.0, far);
+    }
+    var how = cloud_effort();
+    how.pixel_angle = pixel_angle;
+    let seen = cloud_volume_march(origin, direction, begin, end, day.to_sun, jitter, how);
+    let ground = clouds.ground / 3.14159265 * (max(day.to_sun.y, 0.0) * day.sun + day.sky);
+    let radiance = seen.radiance.x * day.sun + seen.radiance.y * day.sky + seen.radiance.z * 3.14159265 * ground;
+    return CloudsSeen(radiance, seen.transmittance, seen.distance);
+}
+
+/// How much work the march does.
+fn cloud_effort() -> cloud_volume_Volume {
+    let probe = 0.03 * clouds.scale;
+#if quality == low
+    return cloud_volume_Volume(0.15, 0.35, 4, 1.6 * probe, 0.02, 0.2 * probe, 64, 0.02, 0.0);
+#elif quality == medium
+    return cloud_volume_Volume(0.1, 0.25, 5, 1.3 * probe, 0.015, 0.15 * probe, 96, 0.015, 0.0);
+#elif quality == high
+    return cloud_volume_Volume(0.07, 0.18, 6, probe, 0.01, 0.1 * probe, 144, 0.01, 0.0);
+#else
+    return cloud_volume_Volume(0.04, 0.1, 8, 0.7 * probe, 0.007, 0.05 * probe, 256, 0.005, 0.0);
+#endif
+}
+
+/// Part of the sun, 0 .. 1, that the clouds leave to `position` (m).
+fn clouds_shadow(position: vec3f, to_sun: vec3f) -> f32 {
+    let span = cloud_ahead(position, to_sun);
+    if span.x >= span.y {
+        return 1.0;
+    }
+    return cloud_volume_shadow(position, to_sun, span.x, span.y, CLOUD_SHADOW_SAMPLES);
 }
