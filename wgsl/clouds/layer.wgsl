@@ -31,11 +31,11 @@
 /// How far the type and the cover vary from region to region.
 #param clouds.variety: f32 = 0.3, range 0 .. 1
 /// How distinct clouds are: at 2 separate heaps, at 0.3 one ragged sheet.
-#param clouds.clumping: f32 = 1.0, range 0.2 .. 3
+#param clouds.clumping: f32 = 0.55, range 0.2 .. 3
 /// Distance from one heap to the next.
-#param clouds.scale: f32 = 3200.0, range 10 .. 100000, log, unit m
+#param clouds.scale: f32 = 2600.0, range 10 .. 100000, log, unit m
 /// How much smaller heaps are toward their tops.
-#param clouds.taper: f32 = 0.3, range 0 .. 1
+#param clouds.taper: f32 = 0.5, range 0 .. 1
 /// How deep the smallest puffs and wisps are cut into the edges.
 #param clouds.detail: f32 = 0.35, range 0 .. 0.9
 /// How gently clouds begin: small is a crisp edge.
@@ -63,7 +63,7 @@
 #param clouds.ground: vec3f = (0.10, 0.11, 0.09), color
 
 // What of the cover a heap keeps to its edge, where `weather` puts the border of clouds.
-const CLOUD_BRINK: f32 = 0.24;
+const CLOUD_BRINK: f32 = 0.28;
 // The second octave of heaps over the first, in strength and in frequency.
 const CLOUD_GAIN: f32 = 0.4;
 const CLOUD_LACUNARITY: f32 = 2.3;
@@ -78,6 +78,8 @@ const CLOUD_MEAN: f32 = 0.8;
 // Samples of a column's profile, and of a shadow.
 const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 12;
+// The least that is eaten, over the most.
+const CLOUD_RIM: f32 = 0.35;
 // How deep `clouds.detail` = 1 eats, in units of the density before `clouds.softness`.
 const CLOUD_BITE: f32 = 0.5;
 // Water in the air at the bottom of a cloud over that at its top.
@@ -91,7 +93,7 @@ const CLOUD_SHEET_SPREAD: f32 = 0.3;
 // Width of the largest puffs over that of the heaps.
 const CLOUD_PUFF: f32 = 0.2;
 // How far the slope of the Perlin noise displaces puffs, in their widths.
-const CLOUD_WARP: f32 = 0.35;
+const CLOUD_WARP: f32 = 0.14;
 // Rotation of one octave of puffs against the one before: rows (-2, -3, -6)/7, (-3, 6, -2)/7, (6, 2, -3)/7.
 const CLOUD_TURN: mat3x3f = mat3x3f(
     vec3f(-0.28571429, -0.42857143, 0.85714286),
@@ -332,7 +334,9 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
         width *= 0.5;
         place = 2.0 * (CLOUD_TURN * place) + 31.7;
     }
-    let eaten = cloud_erode(density, CLOUD_BITE * clouds.detail * cloud_bite(detail, height));
+    // Thin rims go altogether, or crumbs would be left in the middles of puffs.
+    let bite = mix(CLOUD_RIM, 1.0, cloud_bite(detail, height));
+    let eaten = cloud_erode(density, CLOUD_BITE * clouds.detail * bite);
     // Droplets grow on the way up: a base is thinner than a top.
     return clamp(eaten / clouds.softness, 0.0, 1.0) * mix(CLOUD_BASE_DENSITY, 1.0, height);
 #endif
@@ -428,13 +432,13 @@ fn clouds_trace(
 
 /// How much work the march does.
 fn cloud_effort() -> cloud_volume_Volume {
-    let probe = 0.03 * clouds.scale;
+    let probe = 0.015 * clouds.scale;
 #if quality == low
     return cloud_volume_Volume(0.15, 0.35, 4, 1.6 * probe, 0.02, 0.2 * probe, 64, 0.02, 0.0);
 #elif quality == medium
     return cloud_volume_Volume(0.1, 0.25, 5, 1.3 * probe, 0.015, 0.15 * probe, 96, 0.015, 0.0);
 #elif quality == high
-    return cloud_volume_Volume(0.07, 0.18, 6, probe, 0.01, 0.1 * probe, 144, 0.01, 0.0);
+    return cloud_volume_Volume(0.07, 0.18, 6, probe, 0.007, 0.1 * probe, 192, 0.01, 0.0);
 #else
     return cloud_volume_Volume(0.04, 0.1, 8, 0.7 * probe, 0.007, 0.05 * probe, 256, 0.005, 0.0);
 #endif
