@@ -162,7 +162,21 @@ fn declare(
     }
 }
 
-/// A local variable may hide neither a group of parameters, nor a name that takes another spelling in the result.
+/// Whether a file has `group.member` anywhere, for a member that there is: groups that only other files read may be called
+/// like its locals.
+fn speaks_of_group(names: &Names<'_>, text: &str, group: &str) -> bool {
+    let continues = |c: char| unicode_ident::is_xid_continue(c);
+    text.match_indices(group).any(|(at, _)| {
+        let starts = !text[..at].ends_with(continues);
+        let Some(rest) = text[at + group.len()..].trim_start().strip_prefix('.') else { return false };
+        let rest = rest.trim_start();
+        let member = &rest[..rest.find(|c| !continues(c)).unwrap_or(rest.len())];
+        starts && names.declarations.find(&format!("{group}.{member}")).is_some()
+    })
+}
+
+/// A local variable may hide neither a group of parameters that its file reads, nor a name that takes another spelling in
+/// the result.
 fn check_locals(
     names: &Names<'_>,
     kept: &Kept,
@@ -177,8 +191,8 @@ fn check_locals(
         let name = active.module.name(active.text, *symbol);
         let hidden = hides[*symbol as usize].get_or_insert_with(|| {
             let renamed = &names.graph.instances[active.instance].renamed;
-            names.declarations.is_group_in_code(name)
-                || renamed.as_ref().is_some_and(|(from, _)| from == name)
+            renamed.as_ref().is_some_and(|(from, _)| from == name)
+                || names.declarations.is_group_in_code(name) && speaks_of_group(names, active.text, name)
         });
         if *hidden {
             let what = format!("the group `{name}` of parameters");

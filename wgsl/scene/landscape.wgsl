@@ -2,7 +2,9 @@
 
 #include <camera/camera.wgsl>
 #include <camera/display.wgsl>
+#include <frame.wgsl>
 #include <geometry/ray.wgsl>
+#include <noise/interleaved_gradient.wgsl>
 #include <scene/weather.wgsl>
 #include <sky/sky.wgsl>
 #include <terrain/height.wgsl>
@@ -36,10 +38,16 @@ const LANDSCAPE_RAYS: i32 = 1;
 #endif
 
 /// What is seen from `origin` (m) in the unit `direction`.
+fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
+    return landscape_trace(origin, direction, 0.5);
+}
+
+/// As `scene_trace`; `jitter` is where in their first steps the marches through clouds begin, 0 .. 1: another one for each
+/// pixel turns bands into fine noise.
 ///
 /// A loop over the ray and its reflection: compilers copy every function into each place that it is called from, so
 /// everything is looked for, shadowed and lit in one place only.
-fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
+fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     var start = origin;
     var toward = direction;
     var gone = 0.0; // way (m) of the first ray, if there is a second
@@ -88,7 +96,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         }
         let end = start + way * toward;
         let footprint = terrain_footprint(gone + way);
-        let day = sky_daylight(select(origin, end, ends));
+        let day = weather_daylight(select(origin, end, ends));
 
         // What is lit there: the tree, the ground at the end of the ray, or the ground under the water, to where its
         // refraction leads.
@@ -114,6 +122,9 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             // The sun goes into water where the eye looks in, near enough.
             let shadowed = select(position, end, wet);
             sun_seen = terrain_shadow(shadowed, select(normal, vec3f(0.0, 1.0, 0.0), wet), footprint, day);
+            if sun_seen > 0.0 {
+                sun_seen *= weather_sun_seen(shadowed, day);
+            }
 #if landscape.trees
             if sun_seen > 0.0 {
                 sun_seen *= trees_shadow(shadowed, footprint, day);
@@ -158,7 +169,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 
         // The way there is air, unless the eye is under water and looks at it.
         if in_air {
-            let air = weather_air(start, toward, select(RAY_FAR, way, ends), day);
+            let air = weather_air(start, toward, select(RAY_FAR, way, ends), jitter, day);
             radiance += passed * (air.from_sun + air.from_sky);
             passed *= air.transmittance;
         }
@@ -179,6 +190,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
 fn main_image(frag_coord: vec2f) -> vec4f {
     let ray = camera_ray(frag_coord, terrain_height(camera.position.xz));
-    let seen = scene_trace(ray.origin, ray.direction);
+    let jitter = interleaved_gradient_noise(frag_coord, frame.index);
+    let seen = landscape_trace(ray.origin, ray.direction, jitter);
     return vec4f(display_color(seen.radiance), 1.0);
 }
