@@ -179,5 +179,5 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 fn main_image(frag_coord: vec2f) -> vec4f {
     let ray = camera_ray(frag_coord, terrain_height(camera.position.xz));
     let seen = scene_trace(ray.origin, ray.direction);
-    return vec4f(display_color(seen.radiance), 1.0);
+    return vec4f(display_color(seen.radiance, frag_coord), 1.0);
 }
