@@ -5,9 +5,12 @@
 #include <light/phase.wgsl>
 #include <math/gauss_legendre.wgsl>
 #include <sky/air.wgsl>
+#include <sky/beyond.wgsl>
 #include <sky/medium.wgsl>
 #include <sky/orders.wgsl>
 #include <sun/key.wgsl>
+#include <sun/moon.wgsl>
+#include <sun/sun.wgsl>
 
 /// Whether light counts that was scattered more than once or thrown back by the ground.
 #option sky.multiple_scattering = true
@@ -273,8 +276,44 @@ fn atmosphere_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     let up = from_center / max(length(from_center), 1.0);
     let height = atmosphere_height(origin);
     let way = atmosphere_way(AirPlace(height, clamp(dot(up, direction), -1.0, 1.0)), distance);
-    let air = atmosphere_seen(way, atmosphere_entry_up(way, height, up, direction), direction, sun_direction());
-    return SkyAir(sun_light() * air.from_sun, sun_light() * air.from_sky, air.transmittance);
+    let entry_up = atmosphere_entry_up(way, height, up, direction);
+    var air = SkyAir(vec3f(0.0), vec3f(0.0), vec3f(1.0));
+    for (var i = 0; i < ATMOSPHERE_LIGHTS; i++) {
+        let light = atmosphere_light(i);
+        let seen = atmosphere_seen(way, entry_up, direction, light.toward);
+        air.from_sun += light.irradiance * select(vec3f(0.0), seen.from_sun, light.is_key);
+        air.from_sky += light.irradiance * (seen.from_sky + select(seen.from_sun, vec3f(0.0), light.is_key));
+        air.transmittance = seen.transmittance;
+    }
+    return air;
+}
+
+/// A distant light that the air scatters.
+struct AtmosphereLight {
+    /// Unit vector to it.
+    toward: vec3f,
+    /// Irradiance of a surface that faces it, outside of the air.
+    irradiance: vec3f,
+    /// Whether it is the one that throws the shadows.
+    is_key: bool,
+}
+
+#if moon.shines
+const ATMOSPHERE_LIGHTS: i32 = 2;
+#else
+const ATMOSPHERE_LIGHTS: i32 = 1;
+#endif
+
+// Light number `index`: the sun, then the moon if it shines.
+fn atmosphere_light(index: i32) -> AtmosphereLight {
+#if moon.shines
+    if index == 1 {
+        return AtmosphereLight(moon_direction(), moon_light(), key_is_moon());
+    }
+    return AtmosphereLight(sun_direction(), sun_light(), !key_is_moon());
+#else
+    return AtmosphereLight(sun_direction(), sun_light(), true);
+#endif
 }
 
 /// Irradiance of a surface that faces the light that throws the shadows: what the air lets through of it, and of its disc
@@ -282,7 +321,7 @@ fn atmosphere_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
 fn atmosphere_sunlight(position: vec3f) -> vec3f {
     let height = max(atmosphere_height(position), 0.0);
     let r = sky.ground_radius + height;
-    let mu = atmosphere_key_mu(position);
+    let mu = atmosphere_mu(position, key_direction());
     let horizon = -sqrt(height * (2.0 * sky.ground_radius + height)) / r;
     let risen = asin(mu) - asin(horizon);
     let seen = smoothstep(-key_radius(), key_radius(), risen);
@@ -294,7 +333,13 @@ fn atmosphere_sunlight(position: vec3f) -> vec3f {
 
 /// Irradiance of level ground at `position` (m) by the whole sky, without the light that throws the shadows.
 fn atmosphere_irradiance(position: vec3f) -> vec3f {
-    return key_light() * orders_irradiance(max(atmosphere_height(position), 0.0), atmosphere_key_mu(position));
+    let height = max(atmosphere_height(position), 0.0);
+    var irradiance = sky_beyond_irradiance();
+    for (var i = 0; i < ATMOSPHERE_LIGHTS; i++) {
+        let light = atmosphere_light(i);
+        irradiance += light.irradiance * orders_irradiance(height, atmosphere_mu(position, light.toward));
+    }
+    return irradiance;
 }
 
 /// Height (m) of `position` above the planet, without cancellation.
@@ -304,10 +349,10 @@ fn atmosphere_height(position: vec3f) -> f32 {
     return gained / (length(from_center) + sky.ground_radius);
 }
 
-// Cosine of the zenith angle, at `position`, of the light that throws the shadows.
-fn atmosphere_key_mu(position: vec3f) -> f32 {
+// Cosine of the zenith angle, at `position`, of a light in the direction `to_light`.
+fn atmosphere_mu(position: vec3f, to_light: vec3f) -> f32 {
     let from_center = vec3f(position.x, position.y + sky.ground_radius, position.z);
-    return clamp(dot(from_center / max(length(from_center), 1.0), key_direction()), -1.0, 1.0);
+    return clamp(dot(from_center / max(length(from_center), 1.0), to_light), -1.0, 1.0);
 }
 
 // The vertical where `way` enters the air, from that at the eye, `height` (m) up.

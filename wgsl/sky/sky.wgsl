@@ -44,7 +44,7 @@ fn sky_veil(radiance: vec3f, origin: vec3f, direction: vec3f, distance: f32) -> 
 fn sky_daylight(position: vec3f) -> Daylight {
     let to_sun = key_direction();
 #if sky.model == gradient
-    return Daylight(to_sun, key_radius(), key_light(), gradient_irradiance());
+    return Daylight(to_sun, key_radius(), gradient_sunlight(), gradient_irradiance());
 #elif sky.model == atmosphere
     return Daylight(to_sun, key_radius(), atmosphere_sunlight(position), atmosphere_irradiance(position));
 #else
