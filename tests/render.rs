@@ -402,6 +402,85 @@ fn a_jpeg_looks_like_the_picture() {
     assert!(error < 3.0, "off by {error} of 255 on average");
 }
 
+// ---- no bands in a sky ----
+
+/// A clear sky above the horizon through a long lens: six steps of 8 bits from the top of the picture to its bottom.
+fn clear_sky(dither: bool) -> Preset {
+    let text = "
+        #include <camera/camera.wgsl>
+        #include <camera/display.wgsl>
+        #include <sky/sky.wgsl>
+        fn main_image(frag_coord: vec2f) -> vec4f {
+            let ray = camera_ray(frag_coord, 0.0);
+            return vec4f(display_color(sky_radiance(ray.origin, ray.direction), frag_coord), 1.0);
+        }";
+    let mut preset = Preset::of_text("sky.wgsl", text);
+    let dither = format!("display.dither={dither}");
+    let all = ["sky.glow=[0,0,0]", "camera.elevation=12", "camera.focal_length=300", dither.as_str()];
+    for assignment in all {
+        preset.set(assignment).expect("it is declared");
+    }
+    preset
+}
+
+/// The mean of each row's green, in steps of 8 bits, after `round` has made a number of steps of it.
+fn rows(picture: &Picture, round: impl Fn(f64) -> f64) -> Vec<f64> {
+    let steps = |pixel: &[f32; 4]| round(f64::from(srgb_encode(pixel[1])) * 255.0);
+    let mean = |row: &[[f32; 4]]| row.iter().map(steps).sum::<f64>() / row.len() as f64;
+    picture.pixels.chunks_exact(picture.width as usize).map(mean).collect()
+}
+
+fn furthest(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+}
+
+fn steps_between(rows: &[f64]) -> Vec<f64> {
+    rows.windows(2).map(|pair| pair[1] - pair[0]).collect()
+}
+
+fn mean(rows: &[f64]) -> f64 {
+    rows.iter().sum::<f64>() / rows.len() as f64
+}
+
+#[test]
+fn a_clear_sky_has_no_bands_on_an_8_bit_display() {
+    let shot = Shot::new(SIZE.0, SIZE.1);
+    let [plain, dithered] = [false, true].map(|on| draw(&clear_sky(on), &Bake::constants(), &shot));
+    let exact = rows(&plain, |steps| steps);
+    let span = exact[0] - exact[exact.len() - 1];
+    assert!(span.abs() > 4.0, "the sky spans {span} steps: too few for bands");
+    // As an 8-bit target rounds. Without dither there are bands: rows alike, then a jump.
+    let banded = rows(&plain, f64::round);
+    let jump = steps_between(&banded).into_iter().map(f64::abs).fold(0.0, f64::max);
+    assert!(furthest(&banded, &exact) > 0.4 && jump > 0.3, "{} {jump}", furthest(&banded, &exact));
+    let smooth = rows(&dithered, f64::round);
+    let off = furthest(&smooth, &exact);
+    assert!(off < 0.1, "a row is off by {off} steps");
+    let uneven = furthest(&steps_between(&smooth), &steps_between(&exact));
+    assert!(uneven < 0.12, "from one row to the next it steps by {uneven} too much");
+    assert!((mean(&smooth) - mean(&exact)).abs() < 0.01, "{} for {}", mean(&smooth), mean(&exact));
+}
+
+#[test]
+fn a_clear_sky_has_no_bands_in_a_file_whatever_the_samples() {
+    for samples in [1, 3] {
+        let shot = Shot { samples, ..Shot::new(SIZE.0, SIZE.1) };
+        let exact = rows(&draw(&clear_sky(false), &Bake::constants(), &shot), |steps| steps);
+        for dither in [false, true] {
+            // Files are dithered after the samples are averaged; a scene that dithers as well does no harm.
+            let picture = draw(&clear_sky(dither), &Bake::constants(), &shot);
+            let bytes = to_srgb8(&picture);
+            let row = |row: &[u8]| row.chunks_exact(4).map(|p| f64::from(p[1])).sum::<f64>();
+            let width = SIZE.0 as usize;
+            let found: Vec<f64> = bytes.chunks_exact(4 * width).map(|r| row(r) / width as f64).collect();
+            let off = furthest(&found, &exact);
+            assert!(off < 0.15, "{samples} samples, {dither}: a row is off by {off} steps");
+            let off = (mean(&found) - mean(&exact)).abs();
+            assert!(off < 0.02, "{samples} samples, {dither}: the mean is off by {off} steps");
+        }
+    }
+}
+
 // ---- what cannot be drawn ----
 
 #[test]

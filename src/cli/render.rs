@@ -21,9 +21,7 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
     let format = render::Format::of(&path)?;
     let mut composer = input::composer(common)?;
     composer.view.clone_from(&args.viewing.view);
-    if format == render::Format::Exr {
-        linear_display(&mut composer, &library, &mut preset, common)?;
-    }
+    for_a_file(format, &composer, &library, &mut preset, common)?;
     let shader = composer.run(&library, &preset, &input::bake(&args.baking))?;
     let (start, first) = first_frame(&shader);
     let start = args.time.unwrap_or(start);
@@ -57,17 +55,24 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
     Ok(())
 }
 
-/// Pictures of linear light are for further work: no tone map, where the scene has an option to leave it out.
-fn linear_display(
-    composer: &mut orogen::Compose,
+/// What a display would need is left out where the scene has an option for it: dithering, which is done once the samples are
+/// averaged ([`render::encode`]), and in pictures of linear light, which are for further work, the tone map.
+fn for_a_file(
+    format: render::Format,
+    composer: &orogen::Compose,
     library: &orogen::Library,
     preset: &mut orogen::Preset,
     common: &Common,
 ) -> Result<(), Failure> {
-    const OPTION: &str = "display.tone_map";
-    let is_told = common.set.iter().any(|assignment| name_in(assignment) == OPTION);
-    if !is_told && can_be_none(&composer.survey(library, preset)?.declarations, OPTION) {
-        preset.set(&format!("{OPTION}=none"))?;
+    const TONE_MAP: &str = "display.tone_map";
+    const DITHER: &str = "display.dither";
+    let declarations = composer.survey(library, preset)?.declarations;
+    let is_told = |name| common.set.iter().any(|assignment| name_in(assignment) == name);
+    if format == render::Format::Exr && !is_told(TONE_MAP) && can_be_none(&declarations, TONE_MAP) {
+        preset.set(&format!("{TONE_MAP}=none"))?;
+    }
+    if !is_told(DITHER) && can_be_off(&declarations, DITHER) {
+        preset.set(&format!("{DITHER}=false"))?;
     }
     Ok(())
 }
@@ -80,6 +85,11 @@ fn name_in(assignment: &str) -> &str {
 fn can_be_none(declarations: &Declarations, option: &str) -> bool {
     let Some(Knob::Option(index)) = declarations.find(option) else { return false };
     matches!(&declarations.options[index].decl.kind, OptionKind::Choice(choices) if choices.iter().any(|c| c == "none"))
+}
+
+fn can_be_off(declarations: &Declarations, option: &str) -> bool {
+    let Some(Knob::Option(index)) = declarations.find(option) else { return false };
+    matches!(&declarations.options[index].decl.kind, OptionKind::Bool)
 }
 
 /// The preset's `frame.time` and `frame.index`, as far as the shader reads them.

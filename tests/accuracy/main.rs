@@ -16,6 +16,7 @@ mod geometry;
 mod harness;
 mod light;
 mod march;
+mod night;
 mod noise;
 mod noise_cells;
 mod noise_flow;

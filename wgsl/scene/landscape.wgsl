@@ -192,5 +192,5 @@ fn main_image(frag_coord: vec2f) -> vec4f {
     let ray = camera_ray(frag_coord, terrain_height(camera.position.xz));
     let jitter = interleaved_gradient_noise(frag_coord, frame.index);
     let seen = landscape_trace(ray.origin, ray.direction, jitter);
-    return vec4f(display_color(seen.radiance), 1.0);
+    return vec4f(display_color(seen.radiance, frag_coord), 1.0);
 }

@@ -1,8 +1,13 @@
-// A clear sky painted with two colours and a glow around the sun, and the haze that veils what is far.
+// A clear sky painted with two colours and a glow around the sun, and the haze that veils what is far. As the sun sets it
+// darkens the way twilight does; by night the moon may light it.
 
 #include <geometry/ray.wgsl>
 #include <light/fog.wgsl>
+#include <light/illuminance.wgsl>
 #include <sky/air.wgsl>
+#include <sky/beyond.wgsl>
+#include <sun/key.wgsl>
+#include <sun/moon.wgsl>
 #include <sun/sun.wgsl>
 
 /// Radiance straight up, linear sRGB.
@@ -22,27 +27,45 @@
 /// How the haze scatters the three colours: (1, 1, 1) is mist, (0.6, 0.9, 1.5) the blue of clear air.
 #param sky.haze_tint: vec3f = (0.70, 0.93, 1.40), color
 
+/// Irradiance of a surface that faces the light that throws the shadows: less of it as its disc sinks below the horizon.
+fn gradient_sunlight() -> vec3f {
+    return smoothstep(-key_radius(), 0.0, asin(key_direction().y)) * key_light();
+}
+
+/// How light the painted sky is: 1 by day; once the sun has set, less as in twilight, and what the moon adds.
+fn gradient_dimming() -> vec3f {
+    var dimming = vec3f(1.0);
+    if sun.elevation < 0.0 {
+        dimming = vec3f(daylight_illuminance(sun.elevation) / 758.6);
+    }
+#if moon.shines
+    let risen = smoothstep(-0.05, 0.3, moon.elevation);
+    dimming += risen * moon_light() / max(sun_light(), vec3f(1e-9));
+#endif
+    return dimming;
+}
+
 /// Radiance of the sky. Below the horizon it is that of the haze there.
 fn gradient_radiance(direction: vec3f) -> vec3f {
     return gradient_base(direction) + gradient_glow(direction);
 }
 
 fn gradient_base(direction: vec3f) -> vec3f {
-    return mix(sky.zenith, sky.horizon, pow(1.0 - clamp(direction.y, 0.0, 1.0), sky.falloff));
+    return gradient_dimming() * mix(sky.zenith, sky.horizon, pow(1.0 - clamp(direction.y, 0.0, 1.0), sky.falloff));
 }
 
 fn gradient_glow(direction: vec3f) -> vec3f {
     let toward_sun = clamp(dot(direction, sun_direction()), 0.0, 1.0);
     let wide = pow(toward_sun, sky.glow_focus);
     let narrow = pow(toward_sun, 16.0 * sky.glow_focus);
-    return sky.glow * (0.45 * wide + 0.55 * narrow) * (1.0 - 0.6 * clamp(direction.y, 0.0, 1.0));
+    return gradient_dimming() * sky.glow * (0.45 * wide + 0.55 * narrow) * (1.0 - 0.6 * clamp(direction.y, 0.0, 1.0));
 }
 
 /// Irradiance of level ground under the whole sky: pi times its cosine-weighted mean, in closed form, the glow
 /// left out.
 fn gradient_irradiance() -> vec3f {
     let horizon_part = 2.0 / ((sky.falloff + 1.0) * (sky.falloff + 2.0));
-    return 3.14159265 * mix(sky.zenith, sky.horizon, horizon_part);
+    return gradient_dimming() * 3.14159265 * mix(sky.zenith, sky.horizon, horizon_part) + sky_beyond_irradiance();
 }
 
 /// The air from `origin` (m) to `distance` (m) along the unit `direction`.
