@@ -22,7 +22,8 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
     let mut composer = input::composer(common)?;
     composer.view.clone_from(&args.viewing.view);
     if let Some(projection) = args.projection.map(known) {
-        projection.set(&mut preset, &composer.survey(&library, &preset)?.declarations)?;
+        let declarations = composer.survey(&library, &preset)?.declarations;
+        projection.set(&mut preset, &declarations)?;
     }
     if format == Format::Exr {
         linear_display(&mut composer, &library, &mut preset, common)?;
@@ -54,7 +55,8 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
             bar.set_position(done + total * u64::from(index));
         };
         let target = if args.frames.is_some() { numbered(&path, index, frames) } else { path.clone() };
-        let targets = if args.faces { render::FACES.map(|face| marked(&target, face)).to_vec() } else { vec![target] };
+        let targets =
+            if args.faces { render::FACES.map(|face| marked(&target, face)).to_vec() } else { vec![target] };
         targets.iter().try_for_each(|target| made_of::spare(&shader, target))?;
         let picture = render::render(&gpu, &shader, &preset, &shot, &mut report)?;
         let pictures = if args.faces { render::faces(&picture).to_vec() } else { vec![picture] };
