@@ -348,26 +348,46 @@ fn lists_are_a_name_a_tab_and_what_it_is() {
     assert!(!out(&orogen(&["list", "scenes"])).contains("inspect/"), "a view is no scene of its own");
 }
 
-fn views() -> Vec<String> {
-    let list = out(&orogen(&["list", "views"]));
-    list.lines().filter_map(|line| Some(line.split_once('\t')?.0.to_owned())).collect()
-}
-
 #[test]
-fn every_view_suits_every_preset() {
-    let presets = out(&orogen(&["list", "presets"]));
-    let views = views();
+fn every_view_suits_the_scenes_that_have_what_it_shows() {
+    let names = |what: &str| {
+        let list = out(&orogen(&["list", what]));
+        list.lines().filter_map(|line| Some(line.split_once('\t')?.0.to_owned())).collect::<Vec<_>>()
+    };
+    let views = names("views");
     assert!(
         views.iter().any(|view| view == "steps") && !views.iter().any(|view| view == "sight"),
         "{views:?}"
     );
-    for preset in presets.lines().filter_map(|line| line.split('\t').next()) {
-        for view in &views {
+    let scenes = names("scenes").into_iter().map(|scene| format!("<{scene}>"));
+    let presets: Vec<String> = names("presets").into_iter().chain(scenes).collect();
+    for view in &views {
+        let suits = |preset: &&String| {
             let output = orogen(&["export", preset, "--view", view, "--live", "*"]);
+            if err(&output).contains("error[OR0308]") {
+                assert_eq!(status(&output), 1);
+                return false;
+            }
             assert_eq!(status(&output), 0, "{preset} {view}: {}", err(&output));
-            let head = format!("// {preset} (view {view})");
-            assert!(out(&output).starts_with(&head), "{preset} {view}: {}", out(&output));
-        }
+            assert!(out(&output).contains(&format!(" (view {view})")), "{preset} {view}: {}", out(&output));
+            true
+        };
+        let suited: Vec<_> = presets.iter().filter(suits).collect();
+        assert!(!suited.is_empty(), "{view} suits nothing");
+        let is_land = !view.starts_with("cloud_");
+        assert!(!is_land || suited.iter().any(|preset| *preset == "alpine"), "{view} shows no land");
+    }
+}
+
+#[test]
+fn a_view_of_land_says_that_a_sky_has_none() {
+    let output = orogen(&["export", "<scene/sky.wgsl>", "--view", "steps"]);
+    assert_eq!(status(&output), 1);
+    let says = "the view `steps` shows what the scene `scene/sky.wgsl` does not have: `terrain`";
+    assert!(err(&output).contains(says), "{}", err(&output));
+    for view in ["optical_depth", "transmittance"] {
+        let output = orogen(&["export", "<scene/sky.wgsl>", "--view", view, "--set", "inspect.land=false"]);
+        assert_eq!(status(&output), 0, "the air is there without land: {}", err(&output));
     }
 }
 
