@@ -1,0 +1,454 @@
+// A layer of clouds: where it lies, what it is made of, how it drifts.
+
+#include <clouds/forms.wgsl>
+#include <frame.wgsl>
+#include <geometry/ray.wgsl>
+#include <light/daylight.wgsl>
+#include <light/phase.wgsl>
+#include <math/rotation.wgsl>
+#include <noise/perlin.wgsl>
+#include <noise/puffs.wgsl>
+#include <quality.wgsl>
+#include <sky/medium.wgsl>
+#include <sun/key.wgsl>
+
+#include <fractal/fbm3.wgsl> as cloud_sheet with noise3 = perlin_noise3_grad
+#include <march/volume.wgsl> as cloud_volume with density = cloud_extinction, vacancy = cloud_vacancy, span = cloud_ahead, source = cloud_source
+
+/// What shapes the clouds: `weather` cover and type that vary over the land, heaps with flat bases and billowing tops;
+/// `plain` a sheet of fBm; `boxed` puffs inside of a box.
+#option clouds.form = weather { plain, weather, boxed }
+/// Between two planes, or between two spheres around the planet (for views from high up).
+#option clouds.shape = slab { slab, shell }
+/// Height of the layer's lower side above sea level.
+#param clouds.base: f32 = 1100.0, range -5000 .. 100000, unit m
+/// Height of the layer's upper side above its lower side: that of the tallest cumulus.
+#param clouds.thickness: f32 = 1600.0, range 1 .. 50000, unit m
+/// How much of the land has clouds above it.
+#param clouds.coverage: f32 = 0.42, range 0 .. 1
+/// 0 stratus, in the lowest third of the layer; 0.5 stratocumulus; 1 cumulus, as high as the layer.
+#param clouds.type: f32 = 1.0, range 0 .. 1
+/// How far the type and the cover vary from region to region.
+#param clouds.variety: f32 = 0.3, range 0 .. 1
+/// How distinct clouds are: at 2 separate heaps, at 0.3 one ragged sheet.
+#param clouds.clumping: f32 = 0.55, range 0.2 .. 3
+/// Distance from one heap to the next.
+#param clouds.scale: f32 = 2600.0, range 10 .. 100000, log, unit m
+/// How much smaller heaps are toward their tops.
+#param clouds.taper: f32 = 0.5, range 0 .. 1
+/// How deep the smallest puffs and wisps are cut into the edges.
+#param clouds.detail: f32 = 0.35, range 0 .. 0.9
+/// How gently clouds begin: small is a crisp edge.
+#param clouds.softness: f32 = 0.12, range 0.01 .. 1
+/// Extinction in the densest parts: how much light a metre takes.
+#param clouds.extinction: f32 = 0.05, range 0.00001 .. 10, log, unit 1/m
+/// Which clouds: another seed, another sky.
+#param clouds.seed: u32 = 1
+/// Where the wind blows to, clockwise from north.
+#param clouds.wind_heading: f32 = 70.0, range -360 .. 360, unit deg
+/// How fast it blows.
+#param clouds.wind_speed: f32 = 8.0, range 0 .. 200, unit m/s
+/// How far the wind carries the tops ahead of the bases, for each metre of height.
+#param clouds.shear: f32 = 0.15, range -2 .. 2
+/// How fast the puffs rise.
+#param clouds.rise: f32 = 1.5, range -50 .. 50, unit m/s
+/// Middle of the box, east and south of the origin (`clouds.form` = `boxed`).
+#param clouds.box_center: vec2f = (0, 0), unit m
+/// Size of the box from west to east and from north to south.
+#param clouds.box_size: vec2f = (4000, 4000), range 1 .. 1000000, unit m
+
+/// As far as clouds are looked for.
+#param clouds.far: f32 = 120000.0, range 100 .. 100000000, log, unit m
+/// Colour of the land or sea beneath: the light that it throws back lights the bases.
+#param clouds.ground: vec3f = (0.10, 0.11, 0.09), color
+
+// What of the cover a heap keeps to its edge, where `weather` puts the border of clouds.
+const CLOUD_BRINK: f32 = 0.28;
+// The second octave of heaps over the first, in strength and in frequency.
+const CLOUD_GAIN: f32 = 0.4;
+const CLOUD_LACUNARITY: f32 = 2.3;
+// Regions are this many times as wide as heaps, and their noise this strong.
+const CLOUD_REGION: f32 = 6.0;
+const CLOUD_REGION_GAIN: f32 = 0.6;
+// Puffs: octaves of the clouds' shape, octaves of their edges.
+const CLOUD_SHAPE_OCTAVES: i32 = 3;
+const CLOUD_OCTAVES: i32 = 5;
+// What the noise that clouds are cut out of is on average.
+const CLOUD_MEAN: f32 = 0.8;
+// Samples of a column's profile, and of a shadow.
+const CLOUD_COLUMN: i32 = 8;
+const CLOUD_SHADOW_SAMPLES: i32 = 12;
+// The least that is eaten, over the most.
+const CLOUD_RIM: f32 = 0.35;
+// How deep `clouds.detail` = 1 eats, in units of the density before `clouds.softness`.
+const CLOUD_BITE: f32 = 0.5;
+// Water in the air at the bottom of a cloud over that at its top.
+const CLOUD_BASE_DENSITY: f32 = 0.6;
+// The plain sheet: its strength against the noise, the mean of what it adds, the octaves of noise, the spread of both.
+const CLOUD_SHEET: f32 = 0.6;
+const CLOUD_SHEET_MEAN: f32 = 0.8;
+const CLOUD_SHEET_OCTAVES: f32 = 4.0;
+const CLOUD_SHEET_GAIN: f32 = 0.5;
+const CLOUD_SHEET_SPREAD: f32 = 0.3;
+// Width of the largest puffs over that of the heaps.
+const CLOUD_PUFF: f32 = 0.2;
+// How far the slope of the Perlin noise displaces puffs, in their widths.
+const CLOUD_WARP: f32 = 0.14;
+// Rotation of one octave of puffs against the one before: rows (-2, -3, -6)/7, (-3, 6, -2)/7, (6, 2, -3)/7.
+const CLOUD_TURN: mat3x3f = mat3x3f(
+    vec3f(-0.28571429, -0.42857143, 0.85714286),
+    vec3f(-0.42857143, 0.85714286, 0.28571429),
+    vec3f(-0.85714286, -0.28571429, -0.42857143),
+);
+
+/// Height of `p` above sea level (m): above the sphere of radius `sky.ground_radius` or, of a slab, above y = 0.
+fn cloud_altitude(p: vec3f) -> f32 {
+#if clouds.shape == shell
+    // |p - centre| - R without the difference of two large numbers.
+    let beyond = dot(p, p) + 2.0 * sky.ground_radius * p.y;
+    return beyond / (sqrt(max(beyond + sky.ground_radius * sky.ground_radius, 0.0)) + sky.ground_radius);
+#else
+    return p.y;
+#endif
+}
+
+/// How high `p` (m) is in the layer: 0 at its lower, 1 at its upper side, less and more outside.
+fn cloud_height_fraction(p: vec3f) -> f32 {
+    return (cloud_altitude(p) - clouds.base) / clouds.thickness;
+}
+
+/// Where the line of a ray is inside of the layer. From above a shell, and below it, to the farther crossing: what of the
+/// span lies between, `cloud_density` knows.
+fn cloud_span(origin: vec3f, direction: vec3f) -> RaySpan {
+    let low = clouds.base;
+    let high = clouds.base + clouds.thickness * cloud_end();
+#if clouds.shape == shell
+    // Units of the planet's radius keep the squares small.
+    let center = vec3f(0.0, -sky.ground_radius, 0.0);
+    let outer = ray_sphere(origin, direction, center, sky.ground_radius + high);
+    let inner = ray_sphere(origin, direction, center, sky.ground_radius + low);
+    if inner.near > inner.far || outer.near > outer.far {
+        return outer;
+    }
+    let altitude = cloud_altitude(origin);
+    if altitude < low {
+        return RaySpan(inner.far, outer.far); // from below: out through the layer
+    }
+    // From inside or above: down to the inner sphere; the far side of the planet is hidden, or far beyond.
+    return RaySpan(outer.near, select(outer.far, inner.near, inner.near > 0.0));
+#else
+    let span = ray_slab(origin.y, direction.y, low, high);
+#if clouds.form == boxed
+    let half = 0.5 * clouds.box_size;
+    let east = ray_slab(origin.x, direction.x, clouds.box_center.x - half.x, clouds.box_center.x + half.x);
+    let south = ray_slab(origin.z, direction.z, clouds.box_center.y - half.y, clouds.box_center.y + half.y);
+    return ray_both(span, ray_both(east, south));
+#else
+    return span;
+#endif
+#endif
+}
+
+/// How far the wind has carried the clouds, and the shear what is `above` (m) the layer's base, in the plane (m).
+fn cloud_drift(above: f32) -> vec2f {
+    let heading = vec2f(sin(clouds.wind_heading), -cos(clouds.wind_heading));
+    return (clouds.wind_speed * frame.time + clouds.shear * above) * heading;
+}
+
+/// Standard score that is exceeded with probability `share`, near enough: -6.3 .. 6.3.
+fn cloud_score(share: f32) -> f32 {
+    return 0.5513 * log((1.0 - share + 1e-5) / (share + 1e-5));
+}
+
+#if clouds.form == weather
+
+/// What the weather makes of a place.
+struct CloudWeather {
+    /// How much of the base noise becomes cloud: none from 0 down, all from 1 on.
+    cover: f32,
+    /// How far over land `cover` surely stays below 0 (m).
+    clear: f32,
+    /// See `clouds.type`.
+    kind: f32,
+}
+
+/// The weather at `p` (m), which is `above` (m) the layer's base.
+fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
+    let frequency = 1.0 / clouds.scale;
+    let drift = cloud_drift(above);
+    let region_gain = CLOUD_REGION_GAIN * clouds.variety;
+    let spread = sqrt((1.0 + CLOUD_GAIN * CLOUD_GAIN) + region_gain * region_gain);
+    // Bounds over all places: the first and the second derivative along any line.
+    let slope = 1.0 + CLOUD_GAIN * CLOUD_LACUNARITY + region_gain / CLOUD_REGION;
+#if clouds.shape == shell
+    // On the planet's surface beneath: p less its height.
+    let up = normalize_or(p + vec3f(0.0, sky.ground_radius, 0.0), vec3f(0.0, 1.0, 0.0));
+    let place = (p - cloud_altitude(p) * up - vec3f(drift.x, 0.0, drift.y)) * frequency;
+    let heaps = perlin_noise3(place, clouds.seed);
+    let knots = perlin_noise3(CLOUD_LACUNARITY * (CLOUD_TURN * place) + 17.3, clouds.seed + 1u);
+    let region = perlin_noise3(place / CLOUD_REGION + 5.7, clouds.seed + 2u);
+    let sum = heaps + CLOUD_GAIN * knots + region_gain * region;
+    let threshold = 0.26 * spread * cloud_score(clouds.coverage);
+    let lack = threshold - CLOUD_BRINK / clouds.clumping - sum;
+    let clear = lack / (3.6169 * slope);
+#else
+    let place = (p.xz - drift) * frequency;
+    let heaps = perlin_noise2_grad(place, clouds.seed);
+    let turned = vec2f(0.8 * place.x - 0.6 * place.y, 0.6 * place.x + 0.8 * place.y);
+    let knots = perlin_noise2_grad(CLOUD_LACUNARITY * turned + 17.3, clouds.seed + 1u);
+    let region = perlin_noise2_grad(place / CLOUD_REGION + 5.7, clouds.seed + 2u);
+    let turned_back = vec2f(0.8 * knots.y + 0.6 * knots.z, -0.6 * knots.y + 0.8 * knots.z);
+    let gradient = heaps.yz + CLOUD_GAIN * CLOUD_LACUNARITY * turned_back + region_gain / CLOUD_REGION * region.yz;
+    let sum = heaps.x + CLOUD_GAIN * knots.x + region_gain * region.x;
+    let threshold = 0.304 * spread * cloud_score(clouds.coverage);
+    // The sum is below threshold - brink for as long as its rise, at most steepness · s + curvature / 2 · s², lacks.
+    let lack = threshold - CLOUD_BRINK / clouds.clumping - sum;
+    let bend = CLOUD_GAIN * CLOUD_LACUNARITY * CLOUD_LACUNARITY + region_gain / (CLOUD_REGION * CLOUD_REGION);
+    let curvature = PERLIN_NOISE2_CURVATURE * (1.0 + bend);
+    let steepness = length(gradient);
+    let root = sqrt(max(steepness * steepness + 2.0 * curvature * lack, 0.0));
+    let clear = max(lack / (PERLIN_NOISE2_SLOPE * slope), 2.0 * lack / (steepness + root + 1e-9));
+#endif
+#if clouds.shape == shell
+    let regional = region;
+#else
+    let regional = region.x;
+#endif
+    let cover = CLOUD_BRINK + clouds.clumping * (sum - threshold);
+    let kind = clamp(clouds.type + 0.8 * clouds.variety * regional, 0.0, 1.0);
+    return CloudWeather(cover, max(clear, 0.0) * clouds.scale, kind);
+}
+
+/// The fraction of the layer above which there is no cloud anywhere.
+fn cloud_end() -> f32 {
+    return cloud_stops(min(clouds.type + 0.8 * clouds.variety, 1.0)).w;
+}
+
+#else
+
+fn cloud_end() -> f32 {
+    return 1.0;
+}
+
+#endif
+
+/// How far from `p` (m) on there surely is no cloud, in every direction; 0 where there may be one.
+///
+/// A certificate for marches: above and below the layer the distance to it, in the gaps of `weather` what the noise in the
+/// plane can't rise in. Costs three noises in the plane.
+fn cloud_vacancy(p: vec3f) -> f32 {
+    let altitude = cloud_altitude(p);
+    let low = clouds.base;
+    let high = clouds.base + clouds.thickness * cloud_end();
+    var clear = max(low - altitude, altitude - high);
+#if clouds.form == boxed
+    let beyond = abs(p.xz - clouds.box_center) - 0.5 * clouds.box_size;
+    clear = max(clear, max(beyond.x, beyond.y));
+#elif clouds.form == weather
+    let weather = cloud_weather(p, altitude - clouds.base);
+#if clouds.shape == shell
+    // What is carried up to the sphere's surface moves apart on the way.
+    let spread = clamp(1.0 + min(altitude, low) / sky.ground_radius, 0.0, 1.0) / (1.0 + abs(clouds.shear));
+#else
+    let spread = inverseSqrt(1.0 + clouds.shear * clouds.shear);
+#endif
+    clear = max(clear, spread * weather.clear);
+#endif
+    // Where rounding could tell otherwise, a little less.
+    return max(0.999 * clear - 1e-6 * (abs(altitude) + abs(high)), 0.0);
+}
+
+/// Relative density of the clouds at `p` (m), 0 .. 1, in full detail: `clouds.extinction` times it is the extinction.
+///
+/// `weather`: three noises in the plane; where these leave clouds, one in space and three of puffs; where these do, two
+/// more of puffs.
+fn cloud_density(p: vec3f) -> f32 {
+    return cloud_density_filtered(p, 0.0);
+}
+
+/// As `cloud_density`, without puffs that a pixel `footprint` (m) wide can't show: they fade to their mean. Cheaper.
+fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
+    let height = cloud_height_fraction(p);
+    if height <= 0.0 || height >= 1.0 {
+        return 0.0;
+    }
+    let drift = cloud_drift(height * clouds.thickness);
+    let carried = p - vec3f(drift.x, clouds.rise * frame.time, drift.y);
+#if clouds.form == plain
+    // A sheet: highest in the middle of the layer, its sides eaten away by noise.
+    let sheet = CLOUD_SHEET * (1.0 - abs(2.0 * height - 1.0) - CLOUD_SHEET_MEAN);
+    let octaves = clamp(log2(0.5 * clouds.scale / max(footprint, 1e-3)), 1.0, CLOUD_SHEET_OCTAVES);
+    let noise = cloud_sheet_fbm3(carried / clouds.scale, clouds.seed, octaves, CLOUD_SHEET_GAIN, 2.0).x;
+    return clamp((sheet + noise - CLOUD_SHEET_SPREAD * cloud_score(clouds.coverage)) / clouds.softness, 0.0, 1.0);
+#else
+#if clouds.form == weather
+    let weather = cloud_weather(p, height * clouds.thickness);
+    let profile = cloud_gradient(height, cloud_stops(weather.kind));
+    let cover = weather.cover - clouds.taper * height * height;
+#else
+    let room = 0.5 * clouds.box_size - abs(p.xz - clouds.box_center);
+    let inset = min(room.x, room.y) / (0.2 * min(clouds.box_size.x, clouds.box_size.y));
+    let profile = clamp(min(inset, min(8.0 * height, 4.0 - 4.0 * height)), 0.0, 1.0);
+    let cover = clouds.coverage;
+#endif
+    if cover <= 0.0 || profile <= 0.0 {
+        return 0.0;
+    }
+
+    // Perlin noise lifts the largest puffs, three octaves of puffs fill it, two more eat its edges.
+    let lift = perlin_noise3_grad(carried * (1.7 / clouds.scale), clouds.seed + 3u);
+    let perlin = 0.5 + 0.5 * lift.x;
+    // Its slope pulls puffs together here and apart there: they are not all of one size, nor in rows.
+    var place = CLOUD_TURN * carried / (CLOUD_PUFF * clouds.scale) + CLOUD_WARP * lift.yzw;
+    var width = CLOUD_PUFF * clouds.scale;
+    var weight = 0.625;
+    var puffs = 0.0;
+    var lifted = 0.0;
+    var density = 0.0;
+    var detail = 0.0;
+    for (var i = 0; i < CLOUD_OCTAVES; i++) {
+        if i == CLOUD_SHAPE_OCTAVES {
+#if clouds.form == weather
+            density = cloud_cover(profile * cloud_lift(lifted, 1.0 - puffs), min(cover, 1.0));
+#else
+            density = cloud_cover(profile * 2.0 * perlin * puffs, cover);
+#endif
+            if density <= 0.0 {
+                return 0.0;
+            }
+            weight = 0.65;
+        }
+        let presence = clamp(2.0 - 4.0 * footprint / width, 0.0, 1.0);
+        var puff = PUFF_NOISE3_MEAN;
+        if presence > 0.0 {
+            puff = mix(puff, puff_noise3(place, clouds.seed + 4u + u32(i)), presence);
+        }
+        if i < CLOUD_SHAPE_OCTAVES {
+            puffs += weight * puff;
+            lifted = select(lifted, mix(perlin, 1.0, puff), i == 0);
+            weight = select(0.125, 0.25, i == 0);
+        } else {
+            detail += weight * puff;
+            weight = 0.35;
+        }
+        width *= 0.5;
+        place = 2.0 * (CLOUD_TURN * place) + 31.7;
+    }
+    // Thin rims go altogether, or crumbs would be left in the middles of puffs.
+    let bite = mix(CLOUD_RIM, 1.0, cloud_bite(detail, height));
+    let eaten = cloud_erode(density, CLOUD_BITE * clouds.detail * bite);
+    // Droplets grow on the way up: a base is thinner than a top.
+    return clamp(eaten / clouds.softness, 0.0, 1.0) * mix(CLOUD_BASE_DENSITY, 1.0, height);
+#endif
+}
+
+/// Extinction (1/m) at `p` (m), without what `footprint` (m) can't show.
+fn cloud_extinction(p: vec3f, footprint: f32) -> f32 {
+    return clouds.extinction * cloud_density_filtered(p, footprint);
+}
+
+/// Where ahead of `origin` a ray can meet clouds: from x to y (m), nowhere if x >= y.
+fn cloud_ahead(origin: vec3f, direction: vec3f) -> vec2f {
+    let span = cloud_span(origin, direction);
+    return vec2f(max(span.near, 0.0), min(span.far, clouds.far));
+}
+
+/// Estimate of the optical depth straight above (x) and below (y) `p` (m), without a march: from the cover there and what
+/// the profile makes of mean noise.
+fn cloud_depths(p: vec3f) -> vec2f {
+    let height = clamp(cloud_height_fraction(p), 0.0, 1.0);
+#if clouds.form == weather
+    let weather = cloud_weather(p, height * clouds.thickness);
+    let stops = cloud_stops(weather.kind);
+    let cover = weather.cover;
+#else
+    let cover = clouds.coverage;
+#endif
+    var depths = vec2f(0.0);
+    for (var i = 0; i < CLOUD_COLUMN; i++) {
+        let at = (f32(i) + 0.5) / f32(CLOUD_COLUMN);
+#if clouds.form == weather
+        let density = cloud_cover(CLOUD_MEAN * cloud_gradient(at, stops), min(cover - clouds.taper * at * at, 1.0));
+#else
+        let density = 0.5 * cover * clouds.softness;
+#endif
+        let here = clamp(density / clouds.softness, 0.0, 1.0) * mix(CLOUD_BASE_DENSITY, 1.0, at);
+        let above = clamp(0.5 + (at - height) * f32(CLOUD_COLUMN), 0.0, 1.0);
+        depths += here * vec2f(above, 1.0 - above);
+    }
+    return depths * (clouds.extinction * clouds.thickness / f32(CLOUD_COLUMN));
+}
+
+/// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye; see <march/volume.wgsl>.
+fn cloud_source(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
+    let depths = cloud_depths(p);
+    let cos_theta = dot(direction, key_direction());
+    var sunny = 0.0;
+    var weight = 1.0;
+    for (var i = 0; i < 5; i++) {
+        sunny += weight * exp(-weight * light_depth) * phase_two_lobe(cos_theta, 0.8 * weight, -0.3 * weight, 0.85);
+        weight *= 0.5;
+    }
+    let from_above = 0.5 / (1.0 + 0.75 * 0.15 * depths.x);
+    let from_below = 0.5 / (1.0 + 0.75 * 0.15 * depths.y);
+    return vec3f(sunny, from_above / 3.14159265, from_below / 3.14159265);
+}
+
+/// What a ray sees of the clouds.
+struct CloudsSeen {
+    /// Radiance that they send to the ray's origin, without the air between.
+    radiance: vec3f,
+    /// Part of what is behind that shows, 0 .. 1.
+    transmittance: f32,
+    /// Mean distance of what is seen of them (m).
+    distance: f32,
+}
+
+/// The clouds between `near` and `far` (m) along the unit `direction`, in the light of `day`.
+///
+/// `jitter`: 0 .. 1, another one for each pixel. `pixel_angle`: of a pixel (rad).
+fn clouds_trace(
+    origin: vec3f,
+    direction: vec3f,
+    near: f32,
+    far: f32,
+    jitter: f32,
+    pixel_angle: f32,
+    day: Daylight,
+) -> CloudsSeen {
+    let span = cloud_ahead(origin, direction);
+    let begin = max(span.x, near);
+    let end = min(span.y, far);
+    if begin >= end {
+        return CloudsSeen(vec3f(0.0), 1.0, far);
+    }
+    var how = cloud_effort();
+    how.pixel_angle = pixel_angle;
+    let seen = cloud_volume_march(origin, direction, begin, end, day.to_sun, jitter, how);
+    let ground = clouds.ground / 3.14159265 * (max(day.to_sun.y, 0.0) * day.sun + day.sky);
+    let radiance = seen.radiance.x * day.sun + seen.radiance.y * day.sky + seen.radiance.z * 3.14159265 * ground;
+    return CloudsSeen(radiance, seen.transmittance, seen.distance);
+}
+
+/// How much work the march does.
+fn cloud_effort() -> cloud_volume_Volume {
+    let probe = 0.015 * clouds.scale;
+#if quality == low
+    return cloud_volume_Volume(0.15, 0.35, 4, 1.6 * probe, 0.02, 0.2 * probe, 64, 0.02, 0.0);
+#elif quality == medium
+    return cloud_volume_Volume(0.1, 0.25, 5, 1.3 * probe, 0.015, 0.15 * probe, 96, 0.015, 0.0);
+#elif quality == high
+    return cloud_volume_Volume(0.07, 0.18, 6, probe, 0.007, 0.1 * probe, 192, 0.01, 0.0);
+#else
+    return cloud_volume_Volume(0.04, 0.1, 8, 0.7 * probe, 0.007, 0.05 * probe, 256, 0.005, 0.0);
+#endif
+}
+
+/// Part of the sun, 0 .. 1, that the clouds leave to `position` (m).
+fn clouds_shadow(position: vec3f, to_sun: vec3f) -> f32 {
+    let span = cloud_ahead(position, to_sun);
+    if span.x >= span.y {
+        return 1.0;
+    }
+    return cloud_volume_shadow(position, to_sun, span.x, span.y, CLOUD_SHADOW_SAMPLES);
+}
