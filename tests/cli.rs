@@ -76,6 +76,8 @@ fn what_makes_no_sense_exits_with_2() {
         &["render", "alpine", "--frames", "0"],
         &["render", "alpine", "--frames", "2", "--fps", "-3"],
         &["render", "alpine", "--fps", "24"],
+        &["render", "alpine", "--projection", "fisheye"],
+        &["render", "alpine", "--faces"],
         &["export", "alpine", "--live", " "],
         &["export", "alpine", "--overrides", "sun.*,"],
         &["export", "<noise/perlin.wgsl"],
@@ -96,6 +98,7 @@ fn what_makes_no_sense_exits_with_2() {
 fn wrong_input_exits_with_1_and_says_why() {
     let folder = folder();
     let broken = put(&folder, "broken.wgsl", "fn main() -> f32 { return nothing; }\n");
+    let bare = put(&folder, "bare.wgsl", "fn main_image(p: vec2f) -> vec4f { return vec4f(1.0); }\n");
     let preset = put(
         &folder,
         "preset.json",
@@ -118,6 +121,8 @@ fn wrong_input_exits_with_1_and_says_why() {
         (&["render", "alpine", "-o", "picture.bmp"], "png"),
         (&["render", "<noise/perlin.wgsl>", "-o", "picture.png"], "entry point"),
         (&["render", "alpine", "--view", "stpes", "-o", "picture.png"], "did you mean `steps`?"),
+        (&["render", &bare, "--projection", "cube", "-o", "picture.png"], "error[OR0914]"),
+        (&["render", "dunes", "--projection", "cube", "--size", "64x32", "-o", "x.png"], "error[OR0909]"),
         (&["export", "alpine", "--view", "../scene/landscape"], "there is no debug view"),
         (&["export", "alpine", "--view", "sight"], "there is no debug view"),
         (&["export", "alpine", "--view", "steps", "--set", "display.exposed=1"], "`display.exposure`?"),
@@ -343,26 +348,46 @@ fn lists_are_a_name_a_tab_and_what_it_is() {
     assert!(!out(&orogen(&["list", "scenes"])).contains("inspect/"), "a view is no scene of its own");
 }
 
-fn views() -> Vec<String> {
-    let list = out(&orogen(&["list", "views"]));
-    list.lines().filter_map(|line| Some(line.split_once('\t')?.0.to_owned())).collect()
-}
-
 #[test]
-fn every_view_suits_every_preset() {
-    let presets = out(&orogen(&["list", "presets"]));
-    let views = views();
+fn every_view_suits_the_scenes_that_have_what_it_shows() {
+    let names = |what: &str| {
+        let list = out(&orogen(&["list", what]));
+        list.lines().filter_map(|line| Some(line.split_once('\t')?.0.to_owned())).collect::<Vec<_>>()
+    };
+    let views = names("views");
     assert!(
         views.iter().any(|view| view == "steps") && !views.iter().any(|view| view == "sight"),
         "{views:?}"
     );
-    for preset in presets.lines().filter_map(|line| line.split('\t').next()) {
-        for view in &views {
+    let scenes = names("scenes").into_iter().map(|scene| format!("<{scene}>"));
+    let presets: Vec<String> = names("presets").into_iter().chain(scenes).collect();
+    for view in &views {
+        let suits = |preset: &&String| {
             let output = orogen(&["export", preset, "--view", view, "--live", "*"]);
+            if err(&output).contains("error[OR0308]") {
+                assert_eq!(status(&output), 1);
+                return false;
+            }
             assert_eq!(status(&output), 0, "{preset} {view}: {}", err(&output));
-            let head = format!("// {preset} (view {view})");
-            assert!(out(&output).starts_with(&head), "{preset} {view}: {}", out(&output));
-        }
+            assert!(out(&output).contains(&format!(" (view {view})")), "{preset} {view}: {}", out(&output));
+            true
+        };
+        let suited: Vec<_> = presets.iter().filter(suits).collect();
+        assert!(!suited.is_empty(), "{view} suits nothing");
+        let is_land = !view.starts_with("cloud_");
+        assert!(!is_land || suited.iter().any(|preset| *preset == "alpine"), "{view} shows no land");
+    }
+}
+
+#[test]
+fn a_view_of_land_says_that_a_sky_has_none() {
+    let output = orogen(&["export", "<scene/sky.wgsl>", "--view", "steps"]);
+    assert_eq!(status(&output), 1);
+    let says = "the view `steps` shows what the scene `scene/sky.wgsl` does not have: `terrain`";
+    assert!(err(&output).contains(says), "{}", err(&output));
+    for view in ["optical_depth", "transmittance"] {
+        let output = orogen(&["export", "<scene/sky.wgsl>", "--view", view, "--set", "inspect.land=false"]);
+        assert_eq!(status(&output), 0, "the air is there without land: {}", err(&output));
     }
 }
 
@@ -571,6 +596,100 @@ fn main_image(p: vec2f) -> vec4f { return vec4f(fract(frame.time), f32(frame.ind
         let picture = image::open(folder.path().join(name)).expect("it was written").to_rgb8();
         let found = picture.get_pixel(0, 0);
         assert!((0..2).all(|i| found[i].abs_diff(expected[i]) <= 1), "{more:?}: {found:?}");
+    }
+}
+
+/// The picture of that name, and its size.
+fn picture(folder: &tempfile::TempDir, name: &str) -> (image::DynamicImage, (u32, u32)) {
+    let picture = image::open(folder.path().join(name)).expect("it was written");
+    let size = (picture.width(), picture.height());
+    (picture, size)
+}
+
+#[test]
+fn a_skybox_is_one_column_of_faces_or_six_files() {
+    let folder = folder();
+    let sky = put(&folder, "sky.json", "{\"orogen\": 1, \"scene\": \"scene/sky.wgsl\"}");
+    let run = |arguments: &[&str]| {
+        let mut command = command(&[&["render", &sky, "--projection", "cube"], arguments].concat());
+        let output = command.current_dir(folder.path()).output().expect("it starts");
+        assert_eq!(status(&output), 0, "{}", err(&output));
+        err(&output)
+    };
+    run(&["--size", "16x16", "-o", "sky.png"]);
+    run(&["--size", "16x16", "--faces", "-o", "sky.png"]);
+    let (column, size) = picture(&folder, "sky.png");
+    assert_eq!(size, (16, 96));
+    for (index, face) in ["px", "nx", "py", "ny", "pz", "nz"].iter().enumerate() {
+        let (alone, size) = picture(&folder, &format!("sky_{face}.png"));
+        assert_eq!(size, (16, 16), "{face}");
+        let of_column = column.crop_imm(0, 16 * index as u32, 16, 16).to_rgb8();
+        let bytes = of_column.as_raw().iter().zip(alone.to_rgb8().into_raw());
+        let off = bytes.map(|(a, b)| a.abs_diff(b)).max();
+        assert!(off <= Some(3), "{face} is {off:?} off but for the dither");
+    }
+
+    let told = run(&["--size", "8x8", "--faces", "--frames", "2", "--samples", "2", "-o", "skies.exr"]);
+    assert!(told.starts_with("skies_0001_px.exr and 11 more"), "{told}");
+    let (linear, size) = picture(&folder, "skies_0002_nz.exr");
+    assert_eq!((size, linear.color()), ((8, 8), image::ColorType::Rgba32F));
+}
+
+#[test]
+fn a_preset_may_ask_for_everything_around() {
+    let folder = folder();
+    for (projection, size) in [("equirectangular", (2048, 1024)), ("cube", (512, 3072))] {
+        let text = "#include <camera/camera.wgsl>\n\
+                    fn main_image(p: vec2f) -> vec4f { return vec4f(abs(camera_ray(p, 0.0).direction), 1.0); }\n";
+        put(&folder, "around.wgsl", text);
+        let set = format!("{{\"camera\": {{\"projection\": \"{projection}\"}}}}");
+        let preset = format!("{{\"orogen\": 1, \"scene\": \"around.wgsl\", \"set\": {set}}}");
+        let preset = put(&folder, "around.json", &preset);
+        let path = folder.path().join("around.png").display().to_string();
+        let output = orogen(&["render", &preset, "-o", &path]);
+        assert_eq!(status(&output), 0, "{}", err(&output));
+        assert_eq!(picture(&folder, "around.png").1, size);
+        let output = orogen(&["render", &preset, "--projection", "perspective", "-o", &path]);
+        assert_eq!(status(&output), 0, "{}", err(&output));
+        assert_eq!(picture(&folder, "around.png").1, (960, 540), "the command line has the last word");
+    }
+}
+
+#[test]
+fn every_scene_and_view_and_target_can_be_all_around() {
+    for arguments in [
+        &["export", "alpine", "--set", "camera.projection=cube", "--live", "*"] as &[&str],
+        &["export", "lake", "--set", "camera.projection=equirectangular", "--target", "shadertoy"],
+        &["export", "dunes", "--set", "camera.projection=cube", "--view", "steps"],
+        &["export", "<scene/sky.wgsl>", "--set", "camera.projection=cube", "--target", "glsl"],
+    ] {
+        let output = orogen(arguments);
+        assert_eq!(status(&output), 0, "{arguments:?}: {}", err(&output));
+        let function =
+            if arguments[3].ends_with("cube") { "cube_direction" } else { "equirectangular_direction" };
+        assert!(out(&output).contains(function), "{arguments:?}");
+    }
+    assert!(!out(&orogen(&["export", "alpine"])).contains("cube_direction"), "what is off leaves no code");
+    let folder = folder();
+    let path = folder.path().join("steps.png").display().to_string();
+    let arguments =
+        ["render", "dunes", "--view", "steps", "--projection", "cube", "--size", "8x8", "-o", &path];
+    let output = orogen(&arguments);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    assert_eq!(picture(&folder, "steps.png").1, (8, 48));
+}
+
+#[test]
+fn the_help_of_render_teaches_skyboxes() {
+    let help = out(&orogen(&["render", "--help"]));
+    for word in [
+        "--projection cube --faces -o sky.png",
+        "Bevy",
+        "three.js",
+        "+X -X +Y -Y +Z -Z",
+        "vec3(d.x, d.y, -d.z)",
+    ] {
+        assert!(help.contains(word), "{word}");
     }
 }
 

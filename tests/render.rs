@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use std::sync::{LazyLock, OnceLock};
 
 use orogen::render::{
-    Format, Gpu, Picture, Shot, encode, is_no_adapter, jitter, render, srgb_encode, to_srgb8,
+    Format, Gpu, Picture, Projection, Shot, encode, faces, is_no_adapter, jitter, render, srgb_encode,
+    to_srgb8,
 };
 use orogen::{Bake, Compose, Error, Library, Preset, Shader, compose};
 
@@ -325,6 +326,179 @@ fn one_gpu_serves_many_threads() {
         let values: Vec<_> = threads.into_iter().map(|thread| thread.join().expect("no panic")).collect();
         assert_eq!(values, [0.0, 1.0, 2.0, 3.0]);
     });
+}
+
+// ---- everything around ----
+
+/// A scene whose colour is the direction of view, halved and moved to 0 .. 1.
+fn compass(projection: Projection) -> Preset {
+    let text = "#include <camera/camera.wgsl>
+        #include <color/srgb.wgsl>
+        fn main_image(p: vec2f) -> vec4f {
+            return vec4f(srgb_encode(0.5 + 0.5 * camera_ray(p, 0.0).direction), 1.0);
+        }";
+    let mut preset = Preset::of_text("compass.wgsl", text);
+    preset.set(&format!("camera.projection={}", projection.name())).expect("the camera has it");
+    preset
+}
+
+fn directions(picture: &Picture) -> Vec<[f32; 3]> {
+    picture.pixels.iter().map(|[r, g, b, _]| [r, g, b].map(|c| 2.0 * c - 1.0)).collect()
+}
+
+fn apart(a: [f32; 3], b: [f32; 3]) -> f32 {
+    (0..3).map(|i| (a[i] - b[i]).powi(2)).sum::<f32>().sqrt()
+}
+
+fn unit(v: [f32; 3]) -> [f32; 3] {
+    let length = v.iter().map(|part| part * part).sum::<f32>().sqrt();
+    v.map(|part| part / length)
+}
+
+fn cube(preset: &Preset, side: u32, samples: u32) -> [Picture; 6] {
+    let shot = Shot { samples, ..Shot::new(1, 1) };
+    let shot = Projection::Cube.shot(shot, side, side).expect("it is square");
+    faces(&draw(preset, &Bake::constants(), &shot))
+}
+
+#[test]
+fn the_pixels_of_a_cube_look_in_the_directions_of_its_layers() {
+    let mut preset = compass(Projection::Cube);
+    for turned in ["camera.azimuth=77", "camera.elevation=-30"] {
+        preset.set(turned).expect("the camera has it"); // and a skybox does not mind
+    }
+    let pictures = cube(&preset, 3, 1);
+    let third = 2.0 / 3.0;
+    // East, west, up, down, north, south: the middle of each, and what is right of it and above it.
+    for (face, middle, right, above) in [
+        (0, [1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]),
+        (1, [-1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]),
+        (2, [0.0, 1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]),
+        (3, [0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, -1.0]),
+        (4, [0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
+        (5, [0.0, 0.0, 1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]),
+    ] {
+        let found = directions(&pictures[face]);
+        for (index, found) in found.into_iter().enumerate() {
+            let (x, y) = (index as f32 % 3.0 - 1.0, 1.0 - (index / 3) as f32);
+            let expected: [f32; 3] =
+                std::array::from_fn(|i| middle[i] + third * (x * right[i] + y * above[i]));
+            let error = apart(found, unit(expected));
+            assert!(error < 2e-5, "face {face}, pixel {index}: {found:?} for {expected:?}");
+        }
+    }
+}
+
+#[test]
+fn a_cube_is_the_same_in_a_row_as_in_a_column() {
+    const SIDE: u32 = 17;
+    let preset = compass(Projection::Cube);
+    let column = cube(&preset, SIDE, 3);
+    let row = draw(&preset, &Bake::constants(), &Shot { samples: 3, ..Shot::new(6 * SIDE, SIDE) });
+    for (face, picture) in column.iter().enumerate() {
+        for (y, pixels) in picture.pixels.chunks(SIDE as usize).enumerate() {
+            let start = y * 6 * SIDE as usize + face * SIDE as usize;
+            for (x, (a, b)) in pixels.iter().zip(&row.pixels[start..]).enumerate() {
+                assert!((0..3).all(|i| (a[i] - b[i]).abs() < 1e-4), "face {face}, {x}, {y}: {a:?} and {b:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_sky_goes_on_from_face_to_face_and_around_a_panorama() {
+    const SIDE: u32 = 48;
+    let sky = |projection: Projection| {
+        let mut preset = Preset::of_module("scene/sky.wgsl");
+        preset.set(&format!("camera.projection={}", projection.name())).expect("the camera has it");
+        preset
+    };
+    let most = |a: [f32; 4], b: [f32; 4]| (0..3).map(|i| (a[i] - b[i]).abs()).fold(0.0, f32::max);
+    let pictures = cube(&sky(Projection::Cube), SIDE, 1);
+    let ways = cube(&compass(Projection::Cube), SIDE, 1).map(|picture| directions(&picture));
+    let is_edge = |index: usize| {
+        let (x, y) = (index as u32 % SIDE, index as u32 / SIDE);
+        x == 0 || y == 0 || x == SIDE - 1 || y == SIDE - 1
+    };
+    let edge = |face: usize| (0..(SIDE * SIDE) as usize).filter(|i| is_edge(*i)).map(move |i| (face, i));
+    let edges: Vec<(usize, usize)> = (0..6).flat_map(edge).collect();
+    let mut colours = std::collections::BTreeSet::new();
+    for (face, here) in &edges {
+        let others = edges.iter().filter(|(other, _)| other != face);
+        let way = |(face, at): &(usize, usize)| ways[*face][*at];
+        let nearest = others
+            .min_by(|a, b| apart(way(a), ways[*face][*here]).total_cmp(&apart(way(b), ways[*face][*here])));
+        let (other, there) = *nearest.expect("there are others");
+        let angle = apart(ways[*face][*here], ways[other][there]);
+        assert!(angle < 2.0 / SIDE as f32, "face {face}, {here}: the next face begins {angle} rad away");
+        let (a, b) = (pictures[*face].pixels[*here], pictures[other].pixels[there]);
+        assert!(most(a, b) < 0.02, "face {face}, {here} is {a:?}, and beside it {b:?}");
+        colours.insert((a[2] * 50.0) as i32);
+    }
+    assert!(colours.len() > 5, "a sky of one colour would meet itself anyhow");
+
+    let (width, height) = (96, 48);
+    let panorama = draw(&sky(Projection::Equirectangular), &Bake::constants(), &Shot::new(width, height));
+    let rows: Vec<&[[f32; 4]]> = panorama.pixels.chunks(width as usize).collect();
+    for (y, row) in rows.iter().enumerate() {
+        let (left, right) = (row[0], row[width as usize - 1]);
+        assert!(most(left, right) < 0.02, "row {y}: {left:?} at the left, {right:?} at the right");
+    }
+    for pole in [rows[0], rows[height as usize - 1]] {
+        let off = pole.iter().map(|pixel| most(*pixel, pole[0])).fold(0.0, f32::max);
+        assert!(off < 0.02, "a pole is one colour, and not {off} off it");
+    }
+}
+
+#[test]
+fn a_panorama_has_the_camera_s_azimuth_in_its_middle_and_a_level_horizon() {
+    let mut preset = compass(Projection::Equirectangular);
+    for turned in ["camera.azimuth=90", "camera.elevation=40"] {
+        preset.set(turned).expect("the camera has it");
+    }
+    let found = directions(&draw(&preset, &Bake::constants(), &Shot::new(8, 4)));
+    for (index, found) in found.into_iter().enumerate() {
+        let (x, y) = (index % 8, index / 8);
+        let azimuth = (90.0 + 45.0 * (x as f32 - 3.5)).to_radians();
+        let elevation = (45.0 * (1.5 - y as f32)).to_radians();
+        let level = elevation.cos();
+        let expected = [level * azimuth.sin(), elevation.sin(), -level * azimuth.cos()];
+        assert!(apart(found, expected) < 2e-5, "pixel {x}, {y}: {found:?} for {expected:?}");
+    }
+}
+
+#[test]
+fn a_pixel_is_as_wide_as_the_way_to_the_next_one() {
+    let text = "#include <camera/camera.wgsl>
+        #include <color/srgb.wgsl>
+        fn main_image(p: vec2f) -> vec4f {
+            let beside = camera_ray(p + vec2f(1.0, 0.0), 0.0).direction;
+            let way = distance(camera_ray(p, 0.0).direction, beside);
+            return vec4f(srgb_encode(vec3f(way / camera_pixel_angle())), 1.0);
+        }";
+    for (projection, width, height, middle) in [
+        (Projection::Perspective, 64, 36, (31, 17)),
+        (Projection::Equirectangular, 64, 32, (31, 15)),
+        (Projection::Cube, 32, 192, (15, 15)),
+        (Projection::Cube, 192, 32, (47, 15)),
+    ] {
+        let mut preset = Preset::of_text("ratio.wgsl", text);
+        preset.set(&format!("camera.projection={}", projection.name())).expect("the camera has it");
+        let picture = draw(&preset, &Bake::constants(), &Shot::new(width, height));
+        let ratio = picture.pixels[(middle.1 * width + middle.0) as usize][0];
+        assert!((ratio - 1.0).abs() < 0.01, "{projection:?}, {width}×{height}: {ratio}");
+    }
+}
+
+#[test]
+fn a_scene_without_the_camera_has_no_projection_to_choose() {
+    let mut preset = scene("return vec4f(p, 0.0, 1.0);");
+    let survey = Compose::default().survey(&Library::standard(), &preset).expect("it is right");
+    let error = Projection::Cube.set(&mut preset, &survey.declarations).expect_err("it has no camera");
+    expect_text("no-projection.txt", &error.render(false));
+    assert_eq!(Projection::of(&shader(&preset, &Bake::constants())), Projection::Perspective);
+    let error = Projection::Cube.shot(Shot::new(1, 1), 512, 256).expect_err("it is not square");
+    expect_text("face-not-square.txt", &error.render(false));
 }
 
 // ---- files ----

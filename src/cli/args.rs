@@ -4,6 +4,24 @@ use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
+const ALL_AROUND: &str = "\
+Examples:
+  orogen render alpine --set sun.elevation=6 --samples 8 -o dusk.png
+  orogen render alpine --frames 48 --fps 24 -o clouds.png               clouds_0001.png and 47 more
+  orogen render alpine --projection equirectangular -o panorama.jpg     all around, 2:1
+  orogen render alpine --projection cube -o sky.exr                     a skybox in linear light
+  orogen render alpine --projection cube --faces -o sky.png             sky_px.png, sky_nx.png, …
+A preset may ask for it itself: \"camera\": { \"projection\": \"cube\" }; so may an export, with --set.
+
+A skybox has six square faces, +X -X +Y -Y +Z -Z from the top: the layers of a cube texture in the order that they have in
+memory. Cube textures are left-handed: +X is east (our +x), +Z is north (our -z), and all faces are upright as seen from
+the inside. Ask the texture for vec3(d.x, d.y, -d.z).
+  Bevy      image.reinterpret_stacked_2d_as_array(6), a view of dimension Cube, then Skybox { image, .. }: as it is
+  three.js  new CubeTextureLoader().load([\"sky_px.png\", \"sky_nx.png\", \"sky_py.png\", \"sky_ny.png\", \"sky_pz.png\",
+            \"sky_nz.png\"]) and scene.backgroundRotation.y = Math.PI, so that north is its -z; or a panorama with --set
+            camera.azimuth=90 and EquirectangularReflectionMapping: as it is
+The middle of a panorama is toward camera.azimuth, and its horizon is level. A skybox is never turned.";
+
 const EXAMPLES: &str = "\
 Examples:
   orogen list presets                                  what there is to start from
@@ -150,15 +168,22 @@ pub(super) enum MessageFormat {
 }
 
 #[derive(Args)]
+#[command(after_long_help = ALL_AROUND, after_help = "--help says more, with examples: panoramas, skyboxes for Bevy and three.js.")]
 pub(super) struct Render {
     /// Built-in preset, .json file or .wgsl file
     #[arg(value_name = "PRESET|FILE")]
     pub(super) preset: String,
     #[command(flatten)]
     pub(super) viewing: Viewing,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "960x540", value_parser = size)]
-    pub(super) size: (u32, u32),
+    /// What the picture shows: what is ahead, or everything around; what the preset says unless told
+    #[arg(long, value_enum, value_name = "NAME")]
+    pub(super) projection: Option<Projection>,
+    /// Of a cube, write six files: NAME_px, _nx, _py, _ny, _pz and _nz
+    #[arg(long)]
+    pub(super) faces: bool,
+    /// Width and height in pixels, of a cube those of each face; 960x540 unless told, all around 2048x1024 or 512x512
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub(super) size: Option<(u32, u32)>,
     /// Frames to average for every picture, each with its rays moved inside the pixel
     #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=65536))]
     pub(super) samples: u32,
@@ -180,6 +205,16 @@ pub(super) struct Render {
     /// NAME.png unless told, of a view NAME_VIEW.png
     #[arg(short, value_name = "FILE")]
     pub(super) output: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Projection {
+    /// What is ahead, through a lens
+    Perspective,
+    /// Everything around in one picture, twice as wide as high
+    Equirectangular,
+    /// Everything around on the six faces of a cube: a skybox
+    Cube,
 }
 
 #[derive(Args)]

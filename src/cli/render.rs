@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use orogen::Shader;
 use orogen::preset::{Declarations, Knob};
-use orogen::render::{self, Gpu, Shot};
+use orogen::render::{self, Format, Gpu, Picture, Projection, Shot};
 use orogen::syntax::OptionKind;
 
-use super::args::{Common, Render};
+use super::args::{self, Common, Render};
 use super::failure::{Failure, Outcome};
 use super::{input, made_of, output, progress};
 
@@ -18,18 +18,28 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
         None => PathBuf::from(format!("{}.png", preset.name())),
         Some(view) => PathBuf::from(format!("{}_{view}.png", preset.name())),
     });
-    let format = render::Format::of(&path)?;
+    let format = Format::of(&path)?;
     let mut composer = input::composer(common)?;
     composer.view.clone_from(&args.viewing.view);
+    if let Some(projection) = args.projection.map(known) {
+        let declarations = composer.survey(&library, &preset)?.declarations;
+        projection.set(&mut preset, &declarations)?;
+    }
     for_a_file(format, &composer, &library, &mut preset, common)?;
     let shader = composer.run(&library, &preset, &input::bake(&args.baking))?;
+    let projection = Projection::of(&shader);
+    if args.faces && projection != Projection::Cube {
+        let why = "--faces writes the six faces of a cube: it needs `--projection cube`";
+        return Err(Failure::Usage(why.into()));
+    }
+    let (width, height) = args.size.unwrap_or_else(|| projection.default_size());
     let (start, first) = first_frame(&shader);
     let start = args.time.unwrap_or(start);
     let gpu = Gpu::new(args.adapter.as_deref())?;
     let frames = args.frames.unwrap_or(1);
+    let mut written = Vec::new();
     let bar = progress::bar(preset.name(), common.quiet);
     for index in 0..frames {
-        let (width, height) = args.size;
         let shot = Shot {
             samples: args.samples,
             time: start + index as f32 / args.fps,
@@ -37,28 +47,50 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
             index: first.wrapping_add(index),
             ..Shot::new(width, height)
         };
+        let shot = projection.shot(shot, width, height)?;
         let mut report = |done: u64, total: u64| {
             bar.set_length(total * u64::from(frames));
             bar.set_position(done + total * u64::from(index));
         };
         let target = if args.frames.is_some() { numbered(&path, index, frames) } else { path.clone() };
-        made_of::spare(&shader, &target)?;
+        let targets =
+            if args.faces { render::FACES.map(|face| marked(&target, face)).to_vec() } else { vec![target] };
+        targets.iter().try_for_each(|target| made_of::spare(&shader, target))?;
         let picture = render::render(&gpu, &shader, &preset, &shot, &mut report)?;
-        output::write(&target, &render::encode(&picture, format)?)?;
+        let pictures = if args.faces { render::faces(&picture).to_vec() } else { vec![picture] };
+        write(&targets, &pictures, format)?;
+        written.extend(targets);
     }
     bar.finish_and_clear();
     if !common.quiet {
-        let what = if args.frames.is_some() { numbered(&path, 0, frames) } else { path };
-        let more = if frames > 1 { format!(" and {} more", frames - 1) } else { String::new() };
-        output::complain(&format!("{}{more}, on {}\n", what.display(), gpu.name()));
+        let what = written.first().map_or_else(String::new, |first| first.display().to_string());
+        let more = if written.len() > 1 { format!(" and {} more", written.len() - 1) } else { String::new() };
+        output::complain(&format!("{what}{more}, on {}\n", gpu.name()));
     }
     Ok(())
+}
+
+fn known(projection: args::Projection) -> Projection {
+    match projection {
+        args::Projection::Perspective => Projection::Perspective,
+        args::Projection::Equirectangular => Projection::Equirectangular,
+        args::Projection::Cube => Projection::Cube,
+    }
+}
+
+/// All of them, or, as far as that can be told before, none.
+fn write(targets: &[PathBuf], pictures: &[Picture], format: Format) -> Outcome {
+    let files = pictures.iter().map(|picture| render::encode(picture, format));
+    let files = files.collect::<Result<Vec<_>, _>>()?;
+    let drafts = targets.iter().zip(&files).map(|(target, file)| output::prepare(target, file));
+    let drafts = drafts.collect::<Result<Vec<_>, _>>()?;
+    drafts.into_iter().try_for_each(output::Draft::persist)
 }
 
 /// What a display would need is left out where the scene has an option for it: dithering, which is done once the samples are
 /// averaged ([`render::encode`]), and in pictures of linear light, which are for further work, the tone map.
 fn for_a_file(
-    format: render::Format,
+    format: Format,
     composer: &orogen::Compose,
     library: &orogen::Library,
     preset: &mut orogen::Preset,
@@ -111,7 +143,12 @@ fn first_frame(shader: &Shader) -> (f32, u32) {
 /// `out.png` → `out_0001.png`, with as many digits as the sequence needs, four at least.
 fn numbered(path: &Path, index: u32, frames: u32) -> PathBuf {
     let digits = frames.to_string().len().max(4);
+    marked(path, &format!("{:0digits$}", index + 1))
+}
+
+/// `out.png` → `out_px.png`
+fn marked(path: &Path, mark: &str) -> PathBuf {
     let stem = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     let extension = path.extension().map_or_else(String::new, |ext| ext.to_string_lossy().into_owned());
-    path.with_file_name(format!("{stem}_{:0digits$}.{extension}", index + 1))
+    path.with_file_name(format!("{stem}_{mark}.{extension}"))
 }

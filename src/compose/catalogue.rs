@@ -48,6 +48,9 @@ pub fn catalogue(library: &Library) -> Catalogue {
 /// The folder of the library that the debug views lie in: whole pictures, and what they have in common.
 const VIEWS: &str = "inspect/";
 
+/// The group of the parameters that debug views have for themselves.
+pub(super) const OF_VIEWS: &str = "inspect";
+
 /// `inspect/steps.wgsl` → `steps`
 fn view_name(path: &str) -> Option<&str> {
     let name = path.strip_prefix(VIEWS)?.strip_suffix(".wgsl")?;

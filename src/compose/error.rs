@@ -1,5 +1,7 @@
 //! What can go wrong while fragments are put together, and how each is told.
 
+use std::sync::Arc;
+
 use crate::diagnostic::{Diagnostic, choices};
 use crate::source::{FileId, PathError, SourceError, Span};
 use crate::syntax::{DirectiveError, nearest_directive};
@@ -121,6 +123,16 @@ pub enum ComposeError {
         nearest: Option<String>,
         /// Those that there are.
         views: Vec<String>,
+    },
+    /// `OR0308`
+    #[error("the view `{view}` shows what the scene `{scene}` does not have: {}", listed(.groups))]
+    NotInScene {
+        /// The view.
+        view: String,
+        /// The scene.
+        scene: Arc<str>,
+        /// What the view reads: groups of parameters.
+        groups: Vec<String>,
     },
     /// `OR0401`
     #[error("`{name}` is declared twice")]
@@ -348,6 +360,10 @@ impl From<ComposeError> for Diagnostic {
                 .help(Some("add `\"scene\": \"scene/landscape.wgsl\"` to it, or to what it extends".into())),
             E::UnknownView { nearest, views, .. } => Diagnostic::error("OR0307", message)
                 .help(did_you_mean(nearest).or_else(|| Some(one_of_the_views(&views)))),
+            E::NotInScene { .. } => Diagnostic::error("OR0308", message).help(Some(
+                "choose another view, or switch off what it can do without: `orogen params PRESET --view NAME` lists its options"
+                    .into(),
+            )),
             E::Duplicate { at, first, help, .. } => {
                 also(d("OR0401", at, "declared again"), first, "declared here first").help(Some(help.into()))
             }
@@ -389,6 +405,11 @@ impl From<ComposeError> for Diagnostic {
             E::Reserved { at, .. } => d("OR0413", at, "reserved").help(Some("give it another name".into())),
         }
     }
+}
+
+/// `terrain`, `ground`
+fn listed(groups: &[String]) -> String {
+    groups.iter().map(|group| format!("`{group}`")).collect::<Vec<_>>().join(", ")
 }
 
 fn one_of_the_views(views: &[String]) -> String {

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::cache::Cache;
 use super::error::{At, ComposeError};
@@ -49,8 +49,8 @@ pub(super) struct Graph {
     pub(super) instances: Vec<Instance>,
     /// The instances that are in for their own sake.
     pub(super) roots: Vec<usize>,
-    /// From which instance on they are there for their declarations only.
-    aside_from: Option<usize>,
+    /// From which instance on they are there for their declarations only, and the scene that they are there for.
+    aside: Option<(usize, usize)>,
     by_identity: FxHashMap<Arc<str>, usize>,
     by_prefix: FxHashMap<(usize, Arc<str>), usize>,
     /// What `<path>` has found.
@@ -131,9 +131,25 @@ impl Graph {
         files: &mut Files,
         errors: &mut Vec<ComposeError>,
     ) {
-        self.aside_from = Some(self.instances.len());
-        self.add_root(scene, library, cache, files, errors);
+        let from = self.instances.len();
+        let scene = self.add_root(scene, library, cache, files, errors);
+        self.aside = Some((from, scene));
         self.roots.pop();
+    }
+
+    /// The files of the scene in whose place a view is drawn, in whichever branch; none where no scene stands aside.
+    pub(super) fn files_aside(&self) -> Option<FxHashSet<FileId>> {
+        let (_, scene) = self.aside?;
+        let mut files = FxHashSet::default();
+        let mut seen = vec![false; self.instances.len()];
+        let mut ahead = vec![scene];
+        while let Some(instance) = ahead.pop() {
+            if !std::mem::replace(&mut seen[instance], true) {
+                files.insert(self.file(instance));
+                ahead.extend(self.instances[instance].includes.iter().map(|(_, child)| *child));
+            }
+        }
+        Some(files)
     }
 
     fn over_a_limit(&self, depth: usize, at: At) -> Option<ComposeError> {
@@ -250,7 +266,7 @@ impl Graph {
     pub(super) fn declarations(&mut self, errors: &mut Vec<ComposeError>) -> Declarations {
         let mut declarations = Declarations::default();
         for index in 0..self.instances.len() {
-            if self.aside_from == Some(index) {
+            if self.aside.is_some_and(|(from, _)| from == index) {
                 declarations.close_to_code();
             }
             self.declare(index, &mut declarations, errors);

@@ -297,8 +297,16 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         read: kept.options[index],
         at: (declared.file, declared.span),
     });
-    let (parameters, options) = (parameters.collect(), options.collect());
+    let (parameters, options): (Vec<_>, Vec<_>) = (parameters.collect(), options.collect());
     drop(names);
+    if let Some(view) = &request.view
+        && let Some(files) = survey.graph.files_aside()
+        && let groups = foreign(&parameters, &options, &files)
+        && !groups.is_empty()
+    {
+        let (view, scene) = (view.clone(), survey.scene);
+        return Err(fail([ComposeError::NotInScene { view, scene, groups }], survey.files));
+    }
     Ok(Composition {
         name: survey.name,
         about: request.preset.about().to_owned(),
@@ -310,6 +318,23 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         parts: result,
         graph: survey.graph,
     })
+}
+
+/// The groups that a view reads and that are not its scene's, whose files are `of_scene`: what is not there can't be shown.
+/// What the host tells and what views have for themselves is nobody's.
+fn foreign(parameters: &[Parameter], options: &[Choice], of_scene: &FxHashSet<FileId>) -> Vec<String> {
+    let parameters = parameters.iter().map(|p| (&p.decl.key.group, p.read, p.at.0));
+    let options = options.iter().map(|o| (&o.decl.key.group, o.read, o.at.0));
+    let all: Vec<_> = parameters.chain(options).filter(|(group, ..)| !group.is_empty()).collect();
+    let has = |group: &String| all.iter().any(|(other, _, file)| *other == group && of_scene.contains(file));
+    let mut groups = Vec::new();
+    for (group, read, _) in &all {
+        let is_own = ["frame", catalogue::OF_VIEWS].contains(&group.as_str());
+        if *read && !is_own && !groups.contains(*group) && !has(group) {
+            groups.push((*group).clone());
+        }
+    }
+    groups
 }
 
 fn fail(errors: impl IntoIterator<Item = ComposeError>, files: impl Into<Arc<Files>>) -> Error {

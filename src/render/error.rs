@@ -77,6 +77,12 @@ pub enum RenderError {
     /// `OR0913`
     #[error("the picture cannot be encoded: {0}")]
     Encode(String),
+    /// `OR0914`
+    #[error("the scene has no option `camera.projection`: it cannot be drawn `{name}`")]
+    Projection {
+        /// What it should be drawn as.
+        name: &'static str,
+    },
 }
 
 /// Whether `error` says that the machine has no GPU adapter: exit status 3 of the command line.
@@ -143,6 +149,10 @@ impl From<RenderError> for Diagnostic {
             ),
             E::Format { .. } => d("OR0912", "end its name in `.png` or `.jpg` (8-bit sRGB), or in `.exr` (linear light, 32-bit float)"),
             E::Encode(_) => d("OR0913", "a smaller picture may do"),
+            E::Projection { .. } => d(
+                "OR0914",
+                "include `<camera/camera.wgsl>` and ask its `camera_ray` for the ray of each pixel: all projections come with it",
+            ),
         }
     }
 }

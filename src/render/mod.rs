@@ -22,6 +22,7 @@ mod encode;
 mod error;
 mod frame;
 mod picture;
+mod projection;
 pub mod sample;
 
 pub use adapter::Gpu;
@@ -30,3 +31,4 @@ pub use encode::{Format, encode, to_srgb8};
 pub use error::{RenderError, is_no_adapter};
 pub use frame::{Shot, jitter, set_frame};
 pub use picture::{Picture, srgb_decode, srgb_encode};
+pub use projection::{FACES, Projection, faces};

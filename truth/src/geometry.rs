@@ -137,3 +137,22 @@ pub fn to_ellipsoid(p: Vec3, radii: Vec3) -> f64 {
     let inside = (0..3).map(|i| (p[i] / radii[i]).powi(2)).sum::<f64>() < 1.0;
     distance(p, nearest) * if inside { -1.0 } else { 1.0 }
 }
+
+/// Which face of a cube texture is sampled in `direction` of the texture's own, left-handed axes, and where on it: 0 .. 1
+/// from the left and from the top. The table of WebGPU's, Vulkan's and Direct3D's specifications: the major axis chooses
+/// the face, the two others over it are the place.
+#[must_use]
+pub fn cube_texel(direction: Vec3) -> (usize, [f64; 2]) {
+    let [x, y, z] = direction;
+    let [ax, ay, az] = direction.map(f64::abs);
+    let (face, s, t, major) = if az >= ax && az >= ay {
+        if z < 0.0 { (5, -x, -y, az) } else { (4, x, -y, az) }
+    } else if ay >= ax {
+        if y < 0.0 { (3, x, -z, ay) } else { (2, x, z, ay) }
+    } else if x < 0.0 {
+        (1, z, -y, ax)
+    } else {
+        (0, -z, -y, ax)
+    };
+    (face, [0.5 * (s / major + 1.0), 0.5 * (t / major + 1.0)])
+}

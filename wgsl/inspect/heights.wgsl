@@ -35,10 +35,12 @@ fn main_image(frag_coord: vec2f) -> vec4f {
     let half = 0.5 * frame.resolution;
     let ground_height = terrain_height(camera.position.xz);
     var edge = 1e9;
+#if camera.projection == perspective
     for (var i = 0; i < 2; i++) { // the left and the right edge of the camera's picture
         let side = camera_ray(vec2f(f32(i) * frame.resolution.x, half.y), ground_height).direction.xz;
         edge = min(edge, heights_from_ray(offset, side / max(length(side), 1e-6)));
     }
+#endif
     let mark = max(smoothstep(1.2, 0.4, edge), smoothstep(5.0, 4.0, length(offset)));
     color = mix(color, vec3f(1.0), mark);
     return vec4f(srgb_encode(saturate(scale_legend(scale, color, frag_coord))), 1.0);

@@ -67,5 +67,5 @@ fn main_image(frag_coord: vec2f) -> vec4f {
     let ray = camera_ray(frag_coord, 0.0);
     let jitter = interleaved_gradient_noise(frag_coord, frame.index);
     let seen = cloudscape_trace(ray.origin, ray.direction, jitter);
-    return vec4f(display_color(seen.radiance), 1.0);
+    return vec4f(display_color(seen.radiance, frag_coord), 1.0);
 }

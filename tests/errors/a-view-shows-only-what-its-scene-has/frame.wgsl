@@ -1,0 +1,2 @@
+/// When.
+#param frame.time: f32 = 1.0, live
