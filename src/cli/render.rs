@@ -25,7 +25,7 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
         let declarations = composer.survey(&library, &preset)?.declarations;
         projection.set(&mut preset, &declarations)?;
     }
-    for_a_file(format, &composer, &library, &mut preset, common)?;
+    for_a_file(format, &mut composer, &library, &mut preset, common)?;
     let shader = composer.run(&library, &preset, &input::bake(&args.baking))?;
     let projection = Projection::of(&shader);
     if args.faces && projection != Projection::Cube {
@@ -91,7 +91,7 @@ fn write(targets: &[PathBuf], pictures: &[Picture], format: Format) -> Outcome {
 /// averaged ([`render::encode`]), and in pictures of linear light, which are for further work, the tone map.
 fn for_a_file(
     format: Format,
-    composer: &orogen::Compose,
+    composer: &mut orogen::Compose,
     library: &orogen::Library,
     preset: &mut orogen::Preset,
     common: &Common,
@@ -100,7 +100,7 @@ fn for_a_file(
     const DITHER: &str = "display.dither";
     let declarations = composer.survey(library, preset)?.declarations;
     let is_told = |name| common.set.iter().any(|assignment| name_in(assignment) == name);
-    if format == render::Format::Exr && !is_told(TONE_MAP) && can_be_none(&declarations, TONE_MAP) {
+    if format == Format::Exr && !is_told(TONE_MAP) && can_be_none(&declarations, TONE_MAP) {
         preset.set(&format!("{TONE_MAP}=none"))?;
     }
     if !is_told(DITHER) && can_be_off(&declarations, DITHER) {
