@@ -411,17 +411,24 @@ fn cloud_depths(p: vec3f) -> vec2f {
 
 /// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye; see <march/volume.wgsl>.
 fn cloud_source(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
-    let depths = cloud_depths(p);
-    let cos_theta = dot(direction, key_direction());
-    var sunny = 0.0;
-    var weight = 1.0;
-    for (var i = 0; i < 5; i++) {
-        sunny += weight * exp(-weight * light_depth) * phase_two_lobe(cos_theta, 0.8 * weight, -0.3 * weight, 0.85);
-        weight *= 0.5;
-    }
-    let from_above = 0.5 / (1.0 + 0.75 * 0.15 * depths.x);
-    let from_below = 0.5 / (1.0 + 0.75 * 0.15 * depths.y);
-    return vec3f(sunny, from_above / 3.14159265, from_below / 3.14159265);
+    let to_sun = key_direction();
+    let cos_theta = dot(direction, to_sun);
+    let first = exp(-light_depth) * phase_two_lobe(cos_theta, 0.8, -0.3, 0.85);
+    // Light turned by small angles only is as good as a beam that is dimmed less.
+    let g = 0.85;
+    let beam = exp(-(1.0 - g) * light_depth);
+    let broad = (beam - exp(-light_depth)) * phase_henyey_greenstein(cos_theta, 0.5);
+    // The rest is diffuse (Eddington), seen from the inside of what hides it.
+    let depths = (1.0 - g) * cloud_depths(p);
+    let whole = depths.x + depths.y;
+    let inward = clamp(depths.x - 0.67 * direction.y, 0.0, whole);
+    let mu = clamp(depths.x / max((1.0 - g) * light_depth, 1e-3), max(to_sun.y, 0.15), 1.0);
+    let passed = (0.667 + mu + (0.667 - mu) * exp(-whole / mu)) / (1.333 + whole);
+    let field = 2.0 * (1.0 - passed) + 3.0 * (mu * (1.0 - exp(-inward / mu)) - passed * inward);
+    let diffuse = mu * 0.0795775 * max(field, 0.0);
+    let from_sky = (whole - inward + 0.667) / (whole + 1.333);
+    let from_ground = (inward + 0.667) / (whole + 1.333);
+    return vec3f(first + broad + diffuse, 0.31831 * from_sky, 0.31831 * from_ground);
 }
 
 /// What a ray sees of the clouds.
