@@ -11,6 +11,7 @@
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]
 
 mod atmosphere;
+mod clouds;
 mod colour;
 mod fractal;
 mod geometry;

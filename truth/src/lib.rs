@@ -6,6 +6,7 @@
 
 pub mod atmosphere;
 pub mod blackbody;
+pub mod clouds;
 pub mod erosion;
 pub mod fractal;
 pub mod geometry;
