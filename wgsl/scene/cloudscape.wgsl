@@ -1,22 +1,16 @@
-// Clouds: from below, from among them, from above, over a level sea.
+// Weather over the open sea: clouds from below, from among them, from above.
 
 #include <camera/camera.wgsl>
 #include <camera/display.wgsl>
-#include <clouds/layer.wgsl>
 #include <frame.wgsl>
 #include <geometry/ray.wgsl>
+#include <light/daylight.wgsl>
 #include <noise/interleaved_gradient.wgsl>
+#include <scene/weather.wgsl>
+#include <sky/air.wgsl>
+#include <sky/beyond.wgsl>
 #include <sky/medium.wgsl>
-#include <sky/sky.wgsl>
-
-/// Whether a second layer drifts above the first: thin, in the group `cirrus`.
-#option cloudscape.second_layer = false
-/// What lies beneath.
-#option cloudscape.ground = sea { nothing, sea }
-
-#if cloudscape.second_layer
-#include <clouds/layer.wgsl> as cirrus
-#endif
+#include <water/shade.wgsl>
 
 /// What a ray sees.
 struct Traced {
@@ -26,40 +20,57 @@ struct Traced {
     distance: f32,
 }
 
-/// What is seen from `origin` (m) in the unit `direction`; `jitter` (0 .. 1): another one for each pixel.
-fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
-    let day = sky_daylight(origin);
-    var way = RAY_FAR;
-    var behind = sky_beyond(direction);
-#if cloudscape.ground == sea
-    let sea = ray_first(ray_half_space(origin, direction, vec3f(0.0, 1.0, 0.0), 0.0));
-    if sea < 1e7 {
-        way = sea;
-        let spot = origin + way * direction;
-        let lit = clouds_shadow(spot, day.to_sun);
-        let mirrored = pow(1.0 - abs(direction.y), 5.0);
-        behind = (0.02 + 0.3 * mirrored) / 3.14159265 * (day.sky + 0.1 * lit * day.to_sun.y * day.sun);
-    }
-#endif
-    let seen = clouds_trace(origin, direction, 0.0, way, jitter, camera_pixel_angle(), day);
-    // Air before the clouds, and air all the way: two turns around one call.
-    var radiance = vec3f(0.0);
-    for (var i = 0; i < 2; i++) {
-        let is_cloud = i == 0;
-        let air = sky_air(origin, direction, select(way, seen.distance, is_cloud));
-        let scattered = air.from_sun + air.from_sky;
-        if is_cloud {
-            radiance = (1.0 - seen.transmittance) * scattered + air.transmittance * seen.radiance;
-        } else {
-            radiance += seen.transmittance * (scattered + air.transmittance * behind);
-        }
-    }
-    return Traced(radiance, select(way, seen.distance, seen.transmittance < 0.5));
-}
-
 /// What is seen from `origin` (m) in the unit `direction`.
 fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
     return cloudscape_trace(origin, direction, 0.5);
+}
+
+/// As `scene_trace`; `jitter` is where in their first steps the marches through clouds begin, 0 .. 1: another one for each
+/// pixel turns bands into fine noise.
+///
+/// A loop over the ray and what the sea mirrors of it, so that weather is asked for in one place. The sea follows the
+/// planet's curve: its horizon lies where it does from an aeroplane.
+fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
+    let below = -sky.ground_radius + water.level;
+    var start = origin;
+    var toward = direction;
+    var distance = RAY_FAR;
+    var radiance = vec3f(0.0);
+    var passed = vec3f(1.0);
+    for (var bounce = 0; bounce < 2; bounce++) {
+        // Down from a place h above a sphere: the distance to it without the difference of two large numbers.
+        let h = start.y - water.level;
+        let down = -toward.y * (sky.ground_radius + h);
+        let square = down * down - h * (h + 2.0 * sky.ground_radius);
+        var way = RAY_FAR;
+        if bounce == 0 && h > 0.0 && down > 0.0 && square > 0.0 {
+            way = h * (h + 2.0 * sky.ground_radius) / (down + sqrt(square));
+        }
+        let ends = way < RAY_FAR;
+        let end = start + select(0.0, way, ends) * toward;
+        let day = weather_daylight(end);
+        let air = weather_air(start, toward, way, jitter, day);
+        radiance += passed * (air.from_sun + air.from_sky);
+        passed *= air.transmittance;
+        if !ends {
+            // The sun's image in the sea is its glint.
+            radiance += passed * select(vec3f(0.0), sky_beyond(toward), bounce == 0);
+            break;
+        }
+        distance = way;
+        let sun_seen = weather_sun_seen(end, day);
+        let covered = water_footprint(way, toward);
+        let deep = water_deep_radiance(water_irradiance(day, sun_seen));
+        let sea = water_seen_from_above(end, toward, covered, deep, 1e3, 1e3, 0.03, day, sun_seen);
+        radiance += passed * sea.own;
+        passed *= sea.passed;
+        start = vec3f(end.x, max(water.level, 0.0) + 2.0, end.z);
+        toward = sea.direction;
+        if max(max(passed.x, passed.y), passed.z) < 0.002 {
+            break;
+        }
+    }
+    return Traced(radiance, distance);
 }
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.

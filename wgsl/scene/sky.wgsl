@@ -2,9 +2,12 @@
 
 #include <camera/camera.wgsl>
 #include <camera/display.wgsl>
+#include <frame.wgsl>
 #include <geometry/ray.wgsl>
-#include <sky/cirrus.wgsl>
-#include <sky/sky.wgsl>
+#include <noise/interleaved_gradient.wgsl>
+#include <scene/weather.wgsl>
+#include <sky/air.wgsl>
+#include <sky/beyond.wgsl>
 
 /// What a ray sees.
 struct Traced {
@@ -16,12 +19,18 @@ struct Traced {
 
 /// What is seen from `origin` (m) in the unit `direction`; below the horizon what the sky's model has there.
 fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
-    let seen = sky_veil(sky_beyond(direction), origin, direction, RAY_FAR);
-    return Traced(cirrus_veil(seen, origin, direction, sky_daylight(origin)), RAY_FAR);
+    return sky_trace(origin, direction, 0.5);
+}
+
+/// As `scene_trace`; `jitter` is where in their first steps the marches through clouds begin, 0 .. 1.
+fn sky_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
+    let air = weather_air(origin, direction, RAY_FAR, jitter, weather_daylight(origin));
+    return Traced(sky_through(air, sky_beyond(direction)), RAY_FAR);
 }
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1. Heights are counted from sea level.
 fn main_image(frag_coord: vec2f) -> vec4f {
     let ray = camera_ray(frag_coord, 0.0);
-    return vec4f(display_color(scene_trace(ray.origin, ray.direction).radiance, frag_coord), 1.0);
+    let jitter = interleaved_gradient_noise(frag_coord, frame.index);
+    return vec4f(display_color(sky_trace(ray.origin, ray.direction, jitter).radiance, frag_coord), 1.0);
 }
