@@ -81,7 +81,7 @@ fn orders_field(field: OrdersField) -> vec3f {
     c = w * c + vec2f(-4.3312, 0.839) + thick * (vec2f(-0.0653, 2.6009) + thick * vec2f(2.8598, -2.4595));
     c = w * c + vec2f(-0.5931, 0.6964) + thick * (vec2f(2.7258, -2.3377) + thick * vec2f(-1.904, 0.9487));
     c = w * c + vec2f(0.5092, 0.1263) + thick * (vec2f(0.2738, -1.3835) + thick * vec2f(-0.7173, 1.1913));
-    return exp(clamp(c.x + c.y * field.x, vec3f(-1.0), vec3f(1.2)));
+    return exp(clamp(c.x + c.y * field.x, vec3f(-2.0), vec3f(3.5)));
 }
 
 /// Radiance scattered per metre (1/m) toward the eye by the air at `height` (m above sea level), out of light that was
