@@ -13,6 +13,7 @@ pub mod light;
 pub mod march;
 pub mod noise;
 pub mod oklab;
+pub mod orders;
 pub mod points;
 pub mod spectrum;
 pub mod trees;
