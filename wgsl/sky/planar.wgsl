@@ -106,7 +106,7 @@ fn planar_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     var from_sun = vec3f(0.0);
     var from_sky = vec3f(0.0);
     for (var i = 0; i < SKY_NODES; i++) {
-        let node = sky_node(i, from_end);
+        let node = sky_node(i, SKY_NODES, from_end);
         let y = start + climb * way * node.x;
         let density = planar_density(y);
         let seen = way * node.y * exp(-planar_depth(start, climb, way * node.x));
