@@ -16,6 +16,7 @@ pub mod march;
 pub mod moon;
 pub mod noise;
 pub mod oklab;
+pub mod orders;
 pub mod phase;
 pub mod points;
 pub mod spectrum;
