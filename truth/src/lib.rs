@@ -5,6 +5,7 @@
 //! input. Hashes are the same integers on both sides.
 
 pub mod blackbody;
+pub mod atmosphere;
 pub mod erosion;
 pub mod fractal;
 pub mod geometry;

@@ -31,7 +31,7 @@
 /// The automatic one is `display.exposure` where the sun is 45° high; from there it goes up with the logarithm of the
 /// illuminance that a clear day, its twilight and its night have at that height of the sun: by 2.5 EV at 10°, 8.9 at -3°,
 /// 17 at -9° and 24 from -18° on (at an adaptation of .9).
-/// Where the moon shines it counts as the sun does: with a full moon at 45° the night's is 16 EV. Takes no account of
+/// Where the moon shines it counts as the sun does: with a full moon at 45° the night's is 17 EV. Takes no account of
 /// clouds.
 fn display_stops() -> f32 {
 #if display.auto_exposure

@@ -3,10 +3,10 @@
 #include <geometry/ray.wgsl>
 #include <light/optical_depth.wgsl>
 #include <light/phase.wgsl>
-#include <math/gauss_legendre.wgsl>
 #include <sky/air.wgsl>
 #include <sky/beyond.wgsl>
 #include <sky/medium.wgsl>
+#include <sky/nodes.wgsl>
 #include <sky/orders.wgsl>
 #include <sun/key.wgsl>
 #include <sun/moon.wgsl>
@@ -14,56 +14,6 @@
 
 /// Whether light counts that was scattered more than once or thrown back by the ground.
 #option sky.multiple_scattering = true
-/// Where the air is looked at along each unbroken part of a ray; rounded up to 2, 4, 6, 8, 12, 16, 24, 32 or 64. Eight hold
-/// a sky by day within 1 %; 12 one at twilight, 16 one from space.
-#option sky.samples = 8, range 2 .. 64
-
-#if sky.samples <= 2
-const ATMOSPHERE_NODES: i32 = 2;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_2[i];
-}
-#elif sky.samples <= 4
-const ATMOSPHERE_NODES: i32 = 4;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_4[i];
-}
-#elif sky.samples <= 6
-const ATMOSPHERE_NODES: i32 = 6;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_6[i];
-}
-#elif sky.samples <= 8
-const ATMOSPHERE_NODES: i32 = 8;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_8[i];
-}
-#elif sky.samples <= 12
-const ATMOSPHERE_NODES: i32 = 12;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_12[i];
-}
-#elif sky.samples <= 16
-const ATMOSPHERE_NODES: i32 = 16;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_16[i];
-}
-#elif sky.samples <= 24
-const ATMOSPHERE_NODES: i32 = 24;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_24[i];
-}
-#elif sky.samples <= 32
-const ATMOSPHERE_NODES: i32 = 32;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_32[i];
-}
-#else
-const ATMOSPHERE_NODES: i32 = 64;
-fn atmosphere_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_64[i];
-}
-#endif
 
 // Land may lie this far below sea level (m) and still be seen through air; deeper down it does not get thicker.
 const ATMOSPHERE_BELOW: f32 = 1000.0;
@@ -179,8 +129,8 @@ fn atmosphere_shadow(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, asi
 
 // The light scattered to the eye along `way`.
 //
-// The integral is broken where the planet's shadow begins and ends and at the lowest point; each part is summed by
-// Gauss–Legendre in s with t = length · s² (.75 + .25 s): the nodes crowd where the air is dense, from space at the end.
+// The integral is broken where the planet's shadow begins and ends and at the lowest point; each part has its own nodes,
+// which crowd where the air is dense.
 fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> AtmosphereLit {
     var lit = AtmosphereLit(vec3f(0.0), vec3f(0.0));
     let shells = atmosphere_shells();
@@ -219,15 +169,10 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
         if !idle {
             let drop = air_place_after(way.start, begin, radius).height - air_place_after(way.start, end, radius).height;
             let from_end = smoothstep(1.0, 4.0, drop / sky.rayleigh_height);
-            for (var i = 0; i < ATMOSPHERE_NODES; i++) {
-                let late = 2 * i >= ATMOSPHERE_NODES;
-                let rule = atmosphere_rule(select(i, ATMOSPHERE_NODES - 1 - i, late));
-                let s = select(rule.x, 1.0 - rule.x, late);
-                let u = 1.0 - s;
-                let crowded = vec2f(s * s * (0.75 + 0.25 * s), 1.0 - u * u * (0.75 + 0.25 * u));
-                let weights = vec2f(s * (1.5 + 0.75 * s), u * (1.5 + 0.75 * u));
-                let t = begin + length * mix(crowded.x, crowded.y, from_end);
-                let weight = length * rule.y * mix(weights.x, weights.y, from_end);
+            for (var i = 0; i < SKY_NODES; i++) {
+                let node = sky_node(i, from_end);
+                let t = begin + length * node.x;
+                let weight = length * node.y;
 
                 let place = air_place_after(way.start, t, radius);
                 let densities = air_densities(shells, place.height);
@@ -236,7 +181,8 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
                 let seen = weight * exp(-medium_extinction(path));
                 let place_mu = clamp((r * light_mu + t * nu) / (radius + place.height), -1.0, 1.0);
                 if !shaded {
-                    let sunlit = atmosphere_from_light(shells, AirPlace(place.height, place_mu), densities);
+                    let from_light = air_path_to_infinity(shells, AirPlace(place.height, place_mu), densities);
+                    let sunlit = exp(-medium_extinction(from_light));
                     lit.from_light += seen * sunlit * (densities.x * rayleigh + densities.y * mie);
                 }
 #if sky.multiple_scattering
@@ -247,16 +193,6 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
         begin = end;
     }
     return lit;
-}
-
-// Part of the light that reaches a place in the sun.
-fn atmosphere_from_light(shells: AirShells, place: AirPlace, densities: vec2f) -> vec3f {
-    return exp(-medium_extinction(air_path_to_infinity(shells, place, densities)));
-}
-
-// Part of the radiance at the end of `way` that reaches the eye.
-fn atmosphere_left(way: AtmosphereWay) -> vec3f {
-    return exp(-medium_extinction(air_path_between(atmosphere_shells(), way.start, way.length)));
 }
 
 /// Radiance of the sky for a sun of irradiance 1: all orders and the sunlit ground, or with `sky.multiple_scattering` off
@@ -279,6 +215,9 @@ fn atmosphere_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     let entry_up = atmosphere_entry_up(way, height, up, direction);
     var air = SkyAir(vec3f(0.0), vec3f(0.0), vec3f(1.0));
     for (var i = 0; i < ATMOSPHERE_LIGHTS; i++) {
+        if i == 1 && sun.elevation > 0.1 {
+            break; // by day nothing is seen of the moon's light
+        }
         let light = atmosphere_light(i);
         let seen = atmosphere_seen(way, entry_up, direction, light.toward);
         air.from_sun += light.irradiance * select(vec3f(0.0), seen.from_sun, light.is_key);
