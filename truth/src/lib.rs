@@ -15,6 +15,7 @@ pub mod march;
 pub mod moon;
 pub mod noise;
 pub mod oklab;
+pub mod orders;
 pub mod points;
 pub mod spectrum;
 pub mod trees;

@@ -186,7 +186,7 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
                     lit.from_light += seen * sunlit * (densities.x * rayleigh + densities.y * mie);
                 }
 #if sky.multiple_scattering
-                lit.from_sky += seen * orders_source(place.height, place_mu, nu);
+                lit.from_sky += seen * orders_source(place.height, place_mu, place.mu, nu);
 #endif
             }
         }
