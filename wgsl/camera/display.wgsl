@@ -5,7 +5,9 @@
 #include <color/srgb.wgsl>
 #include <color/tone_map.wgsl>
 #include <frame.wgsl>
+#include <light/disc.wgsl>
 #include <light/illuminance.wgsl>
+#include <sun/moon.wgsl>
 #include <sun/sun.wgsl>
 
 /// Exposure: each step doubles the light.
@@ -28,10 +30,17 @@
 ///
 /// The automatic one is `display.exposure` where the sun is 45° high; from there it goes up with the logarithm of the
 /// illuminance that a clear day, its twilight and its night have at that height of the sun: by 2.5 EV at 10°, 8.9 at -3°,
-/// 17 at -9° and 24 from -18° on (at an adaptation of .9). Takes no account of clouds.
+/// 17 at -9° and 24 from -18° on (at an adaptation of .9).
+/// Where the moon shines it counts as the sun does: with a full moon at 45° the night's is 17 EV. Takes no account of
+/// clouds.
 fn display_stops() -> f32 {
 #if display.auto_exposure
-    return display.exposure + display.adaptation * log2(77850.0 / daylight_illuminance(sun.elevation));
+    var illuminance = daylight_illuminance(sun.elevation);
+#if moon.shines
+    let share = 2.489e-6 * moon.brightness * moon_phase_law(moon_phase_angle()); // of the sun's
+    illuminance += share * daylight_illuminance(moon.elevation);
+#endif
+    return display.exposure + display.adaptation * log2(77850.0 / illuminance);
 #else
     return display.exposure;
 #endif

@@ -220,6 +220,9 @@ fn atmosphere_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     let entry_up = atmosphere_entry_up(way, height, up, direction);
     var air = SkyAir(vec3f(0.0), vec3f(0.0), vec3f(1.0));
     for (var i = 0; i < ATMOSPHERE_LIGHTS; i++) {
+        if i == 1 && sun.elevation > 0.1 {
+            break; // by day nothing is seen of the moon's light
+        }
         let light = atmosphere_light(i);
         let seen = atmosphere_seen(way, entry_up, direction, light.toward);
         air.from_sun += light.irradiance * select(vec3f(0.0), seen.from_sun, light.is_key);

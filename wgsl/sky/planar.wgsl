@@ -91,7 +91,7 @@ fn planar_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     let thinnest = max(min(extinction.x, min(extinction.y, extinction.z)), 1e-12);
     let way = clamp(min(distance - entry, bound), 0.0, 12.0 / thinnest + 8.0 * planar.air_height);
 
-    let to_sun = sun_direction();
+    let to_sun = key_direction();
     let cos_theta = dot(direction, to_sun);
     let rayleigh = 1e-6 * sky.rayleigh_scattering;
     let mie = 1e-6 * sky.mie_scattering;
@@ -118,7 +118,7 @@ fn planar_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
         from_sky += left * ground;
         left = vec3f(0.0);
     }
-    return SkyAir(sun_light() * from_sun, sun_light() * from_sky, left);
+    return SkyAir(key_light() * from_sun, key_light() * from_sky, left);
 }
 
 /// Irradiance of a surface that faces the light that throws the shadows, after the air.
