@@ -18,10 +18,11 @@ const PRESETS: [&str; 1] = ["lake"];
 
 /// The elements, in the order in which they are switched on, each with what that takes. The first row is what is there
 /// when all are off.
-const ELEMENTS: [Element; 3] = [
+const ELEMENTS: [Element; 4] = [
     Element { name: "terrain", off: &[], on: &[] },
     Element { name: "trees", off: &["landscape.trees=false"], on: &["landscape.trees=true"] },
     Element { name: "water", off: &["landscape.water=false"], on: &["landscape.water=true"] },
+    Element { name: "atmosphere", off: &["sky.model=gradient"], on: &["sky.model=atmosphere"] },
 ];
 
 const SIZES: [(u32, u32); 4] = [(240, 135), (480, 270), (720, 405), (960, 540)];
