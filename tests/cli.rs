@@ -386,7 +386,7 @@ fn a_view_of_land_says_that_a_sky_has_none() {
     let says = "the view `steps` shows what the scene `scene/sky.wgsl` does not have: `terrain`";
     assert!(err(&output).contains(says), "{}", err(&output));
     for view in ["optical_depth", "transmittance"] {
-        let output = orogen(&["export", "<scene/sky.wgsl>", "--view", view, "--set", "inspect.land=false"]);
+        let output = orogen(&["export", "<scene/sky.wgsl>", "--view", view]);
         assert_eq!(status(&output), 0, "the air is there without land: {}", err(&output));
     }
 }

@@ -137,8 +137,9 @@ impl Graph {
         self.roots.pop();
     }
 
-    /// The files of the scene in whose place a view is drawn, in whichever branch; none where no scene stands aside.
-    pub(super) fn files_aside(&self) -> Option<FxHashSet<FileId>> {
+    /// The files of the scene in whose place a view is drawn: of the branches that `active` tells, or of all; none where no
+    /// scene stands aside.
+    pub(super) fn files_aside(&self, active: Option<&[Vec<bool>]>) -> Option<FxHashSet<FileId>> {
         let (_, scene) = self.aside?;
         let mut files = FxHashSet::default();
         let mut seen = vec![false; self.instances.len()];
@@ -146,7 +147,9 @@ impl Graph {
         while let Some(instance) = ahead.pop() {
             if !std::mem::replace(&mut seen[instance], true) {
                 files.insert(self.file(instance));
-                ahead.extend(self.instances[instance].includes.iter().map(|(_, child)| *child));
+                let includes = self.instances[instance].includes.iter();
+                let is_in = |directive: usize| active.is_none_or(|active| active[instance][directive]);
+                ahead.extend(includes.filter(|(directive, _)| is_in(*directive)).map(|(_, child)| *child));
             }
         }
         Some(files)

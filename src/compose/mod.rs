@@ -194,7 +194,7 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         Err(errors) => return Err(Error::new(errors.into_iter().map(Diagnostic::from).collect(), files)),
     };
     let preset = request.preset.name();
-    Ok(Survey {
+    let mut survey = Survey {
         name: request
             .view
             .as_ref()
@@ -205,7 +205,29 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         settings,
         graph,
         wrapper: wrapper_root,
-    })
+    };
+    tell_of_scene(&mut survey);
+    Ok(survey)
+}
+
+/// A view's options `inspect.has_…` say whether its scene has the element of that name: all that the scene's own options
+/// leave out is missing, whatever they are set to.
+fn tell_of_scene(survey: &mut Survey) {
+    let (active, _) = activity(survey, &mut Vec::new()); // what is wrong is told when the view itself is composed
+    let Some(files) = survey.graph.files_aside(Some(&active)) else { return };
+    let parameters = survey.declarations.parameters.iter().map(|p| (&p.decl.key.group, p.file));
+    let options = survey.declarations.options.iter().map(|o| (&o.decl.key.group, o.file));
+    let all = parameters.chain(options).filter(|(_, file)| files.contains(file));
+    let has: FxHashSet<&str> = all.map(|(group, _)| group.as_str()).collect();
+    for (option, value) in survey.declarations.options.iter().zip(&mut survey.settings.options) {
+        let element = option.decl.key.name.strip_prefix("has_");
+        if option.decl.key.group == catalogue::OF_VIEWS
+            && element.is_some_and(|element| !has.contains(element))
+            && let OptionValue::Bool(value) = value
+        {
+            *value = false;
+        }
+    }
 }
 
 /// Puts a scene together.
@@ -300,7 +322,7 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
     let (parameters, options): (Vec<_>, Vec<_>) = (parameters.collect(), options.collect());
     drop(names);
     if let Some(view) = &request.view
-        && let Some(files) = survey.graph.files_aside()
+        && let Some(files) = survey.graph.files_aside(None)
         && let groups = foreign(&parameters, &options, &files)
         && !groups.is_empty()
     {

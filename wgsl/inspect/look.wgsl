@@ -2,10 +2,10 @@
 
 #include <geometry/ray.wgsl>
 
-/// Whether there is land: it carries the camera and ends rays. Switch it off for scenes that have none.
-#option inspect.land = true
+/// Whether there is land, as far as the scene has any: it carries the camera and ends rays.
+#option inspect.has_terrain = true
 
-#if inspect.land
+#if inspect.has_terrain
 #include <inspect/sight.wgsl>
 #else
 #include <camera/camera.wgsl>
@@ -25,7 +25,7 @@ struct Look {
 
 /// The ray through `frag_coord` (pixels from the bottom left).
 fn inspect_look(frag_coord: vec2f) -> Look {
-#if inspect.land
+#if inspect.has_terrain
     let sight = inspect_sight(frag_coord);
     return Look(sight.origin, sight.direction, sight.hit, select(RAY_FAR, sight.distance, sight.hit));
 #else

@@ -32,7 +32,7 @@ fn scale_color(scale: Scale, value: f32) -> vec3f {
 
 /// How many pixels wide a cell of a digit is.
 fn scale_cell() -> f32 {
-    return max(round(frame.resolution.y / 170.0), 1.0);
+    return max(round(min(frame.resolution.y, 0.5625 * frame.resolution.x) / 170.0), 1.0);
 }
 
 /// `color`, linear sRGB, with the legend of `scale` drawn over it.

@@ -54,6 +54,28 @@ pub(crate) fn of_preset(preset: &str) -> Vec<Case> {
     cases
 }
 
+/// The preset that a view is judged with: one whose scene has what it shows.
+pub(crate) fn seen_in(view: &str) -> &'static str {
+    if view.starts_with("cloud_") { "cumulus" } else { "alpine" }
+}
+
+/// What is judged of a picture of everything around: WGSL and GLSL.
+pub(crate) fn of_projection(projection: &str, preset: &str) -> Vec<Case> {
+    let case = |judge, name: &str, flags: &[&str]| {
+        let option = format!("camera.projection={projection}");
+        let words = ["export", preset, "--set", &option].into_iter().chain(flags.iter().copied());
+        Case {
+            judge,
+            file: format!("{preset}_{projection}.{name}").into(),
+            export: words.map(str::to_owned).collect(),
+        }
+    };
+    vec![
+        case(Judge::Tint, "fragment.uniform.wgsl", UNIFORM.1),
+        case(Judge::GlslangInShadertoy, "shadertoy.frag", &["--target", "shadertoy"]),
+    ]
+}
+
 /// What is judged of a debug view: that it fits a preset, as constants and live.
 pub(crate) fn of_view(view: &str, preset: &str) -> Vec<Case> {
     let case = |(baking, flags): (&str, &[&str])| {
@@ -136,9 +158,23 @@ mod tests {
     }
 
     #[test]
+    fn a_picture_of_everything_around_is_judged_as_wgsl_and_on_shadertoy() {
+        let cases = of_projection("cube", "lake");
+        assert_eq!(cases[0].export[..4], ["export", "lake", "--set", "camera.projection=cube"]);
+        assert_eq!(cases[1].export[4..], ["--target", "shadertoy"]);
+    }
+
+    #[test]
+    fn views_of_clouds_are_judged_where_there_are_some() {
+        assert_eq!(["steps", "cloud_steps"].map(seen_in), ["alpine", "cumulus"]);
+    }
+
+    #[test]
     fn every_file_has_a_name_of_its_own() {
         let views = ["steps", "depth"].iter().flat_map(|view| of_view(view, "alpine"));
-        let cases: Vec<Case> = of_preset("alpine").into_iter().chain(views).collect();
+        let around =
+            ["equirectangular", "cube"].iter().flat_map(|projection| of_projection(projection, "alpine"));
+        let cases: Vec<Case> = of_preset("alpine").into_iter().chain(views).chain(around).collect();
         let mut files: Vec<&PathBuf> = cases.iter().map(|case| &case.file).collect();
         files.sort();
         files.dedup();

@@ -6,7 +6,7 @@
 use std::fs;
 use std::path::Path;
 
-use crate::cases::{Case, Judge, of_module, of_preset, of_view};
+use crate::cases::{Case, Judge, of_module, of_preset, of_projection, of_view, seen_in};
 use crate::install::{self, Install};
 use crate::run::{
     Failure, Outcome, capture, cargo, command, create_folder, orogen, read, run, shown, target, write,
@@ -14,9 +14,6 @@ use crate::run::{
 
 /// What Shadertoy puts before a shader. Its names are taken: a shader that declares one does not compile there.
 const SHADERTOY_PAGE: &str = include_str!("shadertoy.frag");
-
-/// The preset that all views are judged with.
-const VIEWED: &str = "alpine";
 
 /// Gets the judges and `orogen`, then has everything judged.
 pub(crate) fn judge_alone(install: Install) -> Outcome {
@@ -33,7 +30,8 @@ pub(crate) fn judge() -> Outcome {
     }
     let (presets, views, modules) = (list("presets")?, list("views")?, list("modules")?);
     let mut cases: Vec<Case> = presets.iter().flat_map(|preset| of_preset(preset)).collect();
-    cases.extend(views.iter().flat_map(|view| of_view(view, VIEWED)));
+    cases.extend(views.iter().flat_map(|view| of_view(view, seen_in(view))));
+    cases.extend(["equirectangular", "cube"].iter().flat_map(|projection| of_projection(projection, "lake")));
     for module in &modules {
         cases.push(of_module(module, &folder.join("hosts"))?);
     }

@@ -1,0 +1,2 @@
+/// How high.
+#param land.height: f32 = 10.0

@@ -1,0 +1,2 @@
+/// How wet.
+#param rain.rate: f32 = 1.0
