@@ -41,7 +41,7 @@
 /// How gently clouds begin: small is a crisp edge.
 #param clouds.softness: f32 = 0.12, range 0.01 .. 1
 /// Extinction in the densest parts: how much light a metre takes.
-#param clouds.extinction: f32 = 0.05, range 0.00001 .. 10, log, unit 1/m
+#param clouds.extinction: f32 = 0.08, range 0.00001 .. 10, log, unit 1/m
 /// Which clouds: another seed, another sky.
 #param clouds.seed: u32 = 1
 /// Where the wind blows to, clockwise from north.
@@ -331,13 +331,13 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
     var width = CLOUD_PUFF * clouds.scale;
     var weight = 0.625;
     var puffs = 0.0;
-    var lifted = 0.0;
+    var finer = 0.0; // the same fBm from the second octave on
     var density = 0.0;
     var detail = 0.0;
     for (var i = 0; i < CLOUD_OCTAVES; i++) {
         if i == CLOUD_SHAPE_OCTAVES {
 #if clouds.form == weather
-            density = cloud_cover(profile * cloud_lift(lifted, 1.0 - puffs), min(cover, 1.0));
+            density = cloud_cover(profile * cloud_lift(mix(perlin, 1.0, puffs), 1.0 - finer), min(cover, 1.0));
 #else
             density = cloud_cover(profile * 2.0 * perlin * puffs, cover);
 #endif
@@ -353,7 +353,7 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
         }
         if i < CLOUD_SHAPE_OCTAVES {
             puffs += weight * puff;
-            lifted = select(lifted, mix(perlin, 1.0, puff), i == 0);
+            finer += select(2.5 * weight, 0.0, i == 0) * puff;
             weight = select(0.125, 0.25, i == 0);
         } else {
             detail += weight * puff;
@@ -419,10 +419,12 @@ fn cloud_source(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -
     let beam = exp(-(1.0 - g) * light_depth);
     let broad = (beam - exp(-light_depth)) * phase_henyey_greenstein(cos_theta, 0.5);
     // The rest is diffuse (Eddington), seen from the inside of what hides it.
-    let depths = (1.0 - g) * cloud_depths(p);
+    let mu = max(to_sun.y, 0.3);
+    let column = (1.0 - g) * cloud_depths(p);
+    let sunward = (1.0 - g) * light_depth * mu;
+    let depths = vec2f(mix(column.x, sunward, 0.6), column.y);
     let whole = depths.x + depths.y;
     let inward = clamp(depths.x - 0.67 * direction.y, 0.0, whole);
-    let mu = clamp(depths.x / max((1.0 - g) * light_depth, 1e-3), max(to_sun.y, 0.15), 1.0);
     let passed = (0.667 + mu + (0.667 - mu) * exp(-whole / mu)) / (1.333 + whole);
     let field = 2.0 * (1.0 - passed) + 3.0 * (mu * (1.0 - exp(-inward / mu)) - passed * inward);
     let diffuse = mu * 0.0795775 * max(field, 0.0);
