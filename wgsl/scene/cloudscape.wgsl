@@ -22,6 +22,12 @@
 #include <clouds/layer.wgsl> as cirrus
 #endif
 
+#if cloudscape.second_layer
+const CLOUDSCAPE_PARTS: i32 = 3; // two layers and what is behind
+#else
+const CLOUDSCAPE_PARTS: i32 = 2;
+#endif
+
 /// Up at `p`.
 fn cloudscape_up(p: vec3f) -> vec3f {
 #if clouds.shape == shell
@@ -69,20 +75,38 @@ fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         behind = (0.31831 * cloudscape.water * (sunlit + day.sky) + mirrored * 0.31831 * day.sky) + 0.25 * glitter;
     }
 #endif
-    let seen = clouds_trace(origin, direction, 0.0, way, jitter, camera_pixel_angle(), day);
-    // Air before the clouds, and air all the way: two turns around one call.
-    var radiance = vec3f(0.0);
-    for (var i = 0; i < 2; i++) {
-        let is_cloud = i == 0;
-        let air = sky_air(origin, direction, select(way, seen.distance, is_cloud));
-        let scattered = air.from_sun + air.from_sky;
-        if is_cloud {
-            radiance = (1.0 - seen.transmittance) * scattered + air.transmittance * seen.radiance;
-        } else {
-            radiance += seen.transmittance * (scattered + air.transmittance * behind);
-        }
+    var front = clouds_trace(origin, direction, 0.0, way, jitter, camera_pixel_angle(), day);
+#if cloudscape.second_layer
+    let other = cirrus_clouds_trace(origin, direction, 0.0, way, jitter, camera_pixel_angle(), day);
+    var back = CloudsSeen(other.radiance, other.transmittance, other.distance);
+    if back.distance < front.distance {
+        let nearer = back;
+        back = front;
+        front = nearer;
     }
-    return Traced(radiance, select(way, seen.distance, seen.transmittance < 0.5));
+#endif
+    // Air before each of the clouds, and air all the way: turns around one call.
+    var radiance = vec3f(0.0);
+    var left = 1.0; // part of what is farther that shows
+    for (var i = 0; i < CLOUDSCAPE_PARTS; i++) {
+        var part = front;
+#if cloudscape.second_layer
+        if i == 1 {
+            part = back;
+        }
+#endif
+        if i == CLOUDSCAPE_PARTS - 1 {
+            part = CloudsSeen(behind, 0.0, way);
+        }
+        if part.transmittance >= 1.0 || left <= 0.0 {
+            continue;
+        }
+        let air = sky_air(origin, direction, part.distance);
+        let hidden = 1.0 - part.transmittance;
+        radiance += left * (hidden * (air.from_sun + air.from_sky) + air.transmittance * part.radiance);
+        left *= part.transmittance;
+    }
+    return Traced(radiance, select(way, front.distance, front.transmittance < 0.5));
 }
 
 /// What is seen from `origin` (m) in the unit `direction`.
