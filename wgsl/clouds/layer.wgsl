@@ -74,7 +74,7 @@ const CLOUD_REGION_GAIN: f32 = 0.6;
 const CLOUD_SHAPE_OCTAVES: i32 = 3;
 const CLOUD_OCTAVES: i32 = 5;
 // What the noise that clouds are cut out of is on average.
-const CLOUD_MEAN: f32 = 0.8;
+const CLOUD_MEAN: f32 = 0.84;
 // Samples of a column's profile, and of a shadow.
 const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 12;
@@ -86,7 +86,7 @@ const CLOUD_BITE: f32 = 0.5;
 const CLOUD_BASE_DENSITY: f32 = 0.6;
 // The plain sheet: its strength against the noise, the mean of what it adds, the octaves of noise, the spread of both.
 const CLOUD_SHEET: f32 = 0.6;
-const CLOUD_SHEET_MEAN: f32 = 0.8;
+const CLOUD_SHEET_MEAN: f32 = 1.0;
 const CLOUD_SHEET_OCTAVES: f32 = 4.0;
 const CLOUD_SHEET_GAIN: f32 = 0.5;
 const CLOUD_SHEET_SPREAD: f32 = 0.3;
@@ -117,25 +117,45 @@ fn cloud_height_fraction(p: vec3f) -> f32 {
     return (cloud_altitude(p) - clouds.base) / clouds.thickness;
 }
 
-/// Where the line of a ray is inside of the layer. From above a shell, and below it, to the farther crossing: what of the
-/// span lies between, `cloud_density` knows.
+#if clouds.shape == shell
+
+/// The ray's line in the sphere `height` (m) above sea level, from a place at `altitude` (m): fine to the metre also where
+/// the planet is flat to f32.
+fn cloud_sphere(origin: vec3f, direction: vec3f, altitude: f32, height: f32) -> RaySpan {
+    // t² + 2 rise t + power = 0; the difference of the squared radii as a product.
+    let rise = dot(origin, direction) + sky.ground_radius * direction.y;
+    let power = (altitude - height) * (altitude + height + 2.0 * sky.ground_radius);
+    let square = rise * rise - power;
+    if square < 0.0 {
+        return ray_missed();
+    }
+    let away = select(-rise - sqrt(square), -rise + sqrt(square), rise < 0.0); // the root that is no small difference
+    let other = select(power / away, 0.0, away == 0.0);
+    return RaySpan(min(away, other), max(away, other));
+}
+
+#endif
+
+/// The part of a ray's line that can meet the layer.
+///
+/// Of a shell: from below its upper half, from inside and from above, also from space, all between where the line enters
+/// the outer sphere and where it leaves it or goes down to the planet's ground; `cloud_vacancy` leads over the gap below the
+/// layer, if there is one.
 fn cloud_span(origin: vec3f, direction: vec3f) -> RaySpan {
     let low = clouds.base;
     let high = clouds.base + clouds.thickness * cloud_end();
 #if clouds.shape == shell
-    // Units of the planet's radius keep the squares small.
-    let center = vec3f(0.0, -sky.ground_radius, 0.0);
-    let outer = ray_sphere(origin, direction, center, sky.ground_radius + high);
-    let inner = ray_sphere(origin, direction, center, sky.ground_radius + low);
-    if inner.near > inner.far || outer.near > outer.far {
+    let altitude = cloud_altitude(origin);
+    let outer = cloud_sphere(origin, direction, altitude, high);
+    let inner = cloud_sphere(origin, direction, altitude, low);
+    if outer.near > outer.far || inner.near > inner.far {
         return outer;
     }
-    let altitude = cloud_altitude(origin);
     if altitude < low {
-        return RaySpan(inner.far, outer.far); // from below: out through the layer
+        return RaySpan(inner.far, outer.far);
     }
-    // From inside or above: down to the inner sphere; the far side of the planet is hidden, or far beyond.
-    return RaySpan(outer.near, select(outer.far, inner.near, inner.near > 0.0));
+    let is_ground_ahead = ray_meets(cloud_sphere(origin, direction, altitude, min(0.0, low)));
+    return RaySpan(outer.near, select(outer.far, inner.near, is_ground_ahead));
 #else
     let span = ray_slab(origin.y, direction.y, low, high);
 #if clouds.form == boxed
@@ -190,7 +210,7 @@ fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
     let sum = heaps + CLOUD_GAIN * knots + region_gain * region;
     let threshold = 0.26 * spread * cloud_score(clouds.coverage);
     let lack = threshold - CLOUD_BRINK / clouds.clumping - sum;
-    let clear = lack / (3.6169 * slope);
+    let clear = lack / (PERLIN_NOISE3_SLOPE * slope);
 #else
     let place = (p.xz - drift) * frequency;
     let heaps = perlin_noise2_grad(place, clouds.seed);
@@ -228,6 +248,16 @@ fn cloud_end() -> f32 {
 
 fn cloud_end() -> f32 {
     return 1.0;
+}
+
+#endif
+
+#if clouds.form == plain
+
+/// The sheet before noise is added: highest in the middle of the layer, above 0 where cloud is likely.
+fn cloud_sheet(height: f32) -> f32 {
+    let slopes = CLOUD_SHEET * (1.0 - abs(2.0 * height - 1.0) - CLOUD_SHEET_MEAN);
+    return slopes - CLOUD_SHEET_SPREAD * cloud_score(clouds.coverage);
 }
 
 #endif
@@ -275,11 +305,9 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
     let drift = cloud_drift(height * clouds.thickness);
     let carried = p - vec3f(drift.x, clouds.rise * frame.time, drift.y);
 #if clouds.form == plain
-    // A sheet: highest in the middle of the layer, its sides eaten away by noise.
-    let sheet = CLOUD_SHEET * (1.0 - abs(2.0 * height - 1.0) - CLOUD_SHEET_MEAN);
     let octaves = clamp(log2(0.5 * clouds.scale / max(footprint, 1e-3)), 1.0, CLOUD_SHEET_OCTAVES);
     let noise = cloud_sheet_fbm3(carried / clouds.scale, clouds.seed, octaves, CLOUD_SHEET_GAIN, 2.0).x;
-    return clamp((sheet + noise - CLOUD_SHEET_SPREAD * cloud_score(clouds.coverage)) / clouds.softness, 0.0, 1.0);
+    return clamp((cloud_sheet(height) + noise) / clouds.softness, 0.0, 1.0);
 #else
 #if clouds.form == weather
     let weather = cloud_weather(p, height * clouds.thickness);
@@ -361,18 +389,20 @@ fn cloud_depths(p: vec3f) -> vec2f {
     let weather = cloud_weather(p, height * clouds.thickness);
     let stops = cloud_stops(weather.kind);
     let cover = weather.cover;
-#else
-    let cover = clouds.coverage;
 #endif
     var depths = vec2f(0.0);
     for (var i = 0; i < CLOUD_COLUMN; i++) {
         let at = (f32(i) + 0.5) / f32(CLOUD_COLUMN);
 #if clouds.form == weather
         let density = cloud_cover(CLOUD_MEAN * cloud_gradient(at, stops), min(cover - clouds.taper * at * at, 1.0));
+        let eaten = cloud_erode(density, CLOUD_BITE * clouds.detail * 0.7);
+        let here = clamp(eaten / clouds.softness, 0.0, 1.0) * mix(CLOUD_BASE_DENSITY, 1.0, at);
+#elif clouds.form == plain
+        // The share of the sheet that is cloud at this height.
+        let here = clamp(0.5 + 1.5 * cloud_sheet(at), 0.0, 1.0);
 #else
-        let density = 0.5 * cover * clouds.softness;
+        let here = 0.45 * clouds.coverage * clouds.coverage * clouds.coverage;
 #endif
-        let here = clamp(density / clouds.softness, 0.0, 1.0) * mix(CLOUD_BASE_DENSITY, 1.0, at);
         let above = clamp(0.5 + (at - height) * f32(CLOUD_COLUMN), 0.0, 1.0);
         depths += here * vec2f(above, 1.0 - above);
     }
@@ -381,17 +411,24 @@ fn cloud_depths(p: vec3f) -> vec2f {
 
 /// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye; see <march/volume.wgsl>.
 fn cloud_source(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
-    let depths = cloud_depths(p);
-    let cos_theta = dot(direction, key_direction());
-    var sunny = 0.0;
-    var weight = 1.0;
-    for (var i = 0; i < 5; i++) {
-        sunny += weight * exp(-weight * light_depth) * phase_two_lobe(cos_theta, 0.8 * weight, -0.3 * weight, 0.85);
-        weight *= 0.5;
-    }
-    let from_above = 0.5 / (1.0 + 0.75 * 0.15 * depths.x);
-    let from_below = 0.5 / (1.0 + 0.75 * 0.15 * depths.y);
-    return vec3f(sunny, from_above / 3.14159265, from_below / 3.14159265);
+    let to_sun = key_direction();
+    let cos_theta = dot(direction, to_sun);
+    let first = exp(-light_depth) * phase_two_lobe(cos_theta, 0.8, -0.3, 0.85);
+    // Light turned by small angles only is as good as a beam that is dimmed less.
+    let g = 0.85;
+    let beam = exp(-(1.0 - g) * light_depth);
+    let broad = (beam - exp(-light_depth)) * phase_henyey_greenstein(cos_theta, 0.5);
+    // The rest is diffuse (Eddington), seen from the inside of what hides it.
+    let depths = (1.0 - g) * cloud_depths(p);
+    let whole = depths.x + depths.y;
+    let inward = clamp(depths.x - 0.67 * direction.y, 0.0, whole);
+    let mu = clamp(depths.x / max((1.0 - g) * light_depth, 1e-3), max(to_sun.y, 0.15), 1.0);
+    let passed = (0.667 + mu + (0.667 - mu) * exp(-whole / mu)) / (1.333 + whole);
+    let field = 2.0 * (1.0 - passed) + 3.0 * (mu * (1.0 - exp(-inward / mu)) - passed * inward);
+    let diffuse = mu * 0.0795775 * max(field, 0.0);
+    let from_sky = (whole - inward + 0.667) / (whole + 1.333);
+    let from_ground = (inward + 0.667) / (whole + 1.333);
+    return vec3f(first + broad + diffuse, 0.31831 * from_sky, 0.31831 * from_ground);
 }
 
 /// What a ray sees of the clouds.

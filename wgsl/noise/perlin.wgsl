@@ -10,6 +10,8 @@ const PERLIN_NOISE2_RANGE: f32 = 1.0;
 const PERLIN_NOISE2_SLOPE: f32 = 2.9262;
 /// `perlin_noise2` is nowhere more curved, in no direction: 13.06075 at (.3555, .6445) of a cell, along its diagonal.
 const PERLIN_NOISE2_CURVATURE: f32 = 13.061;
+/// `perlin_noise3` is nowhere steeper: 3.616875 in the middle of a cell, along an axis.
+const PERLIN_NOISE3_SLOPE: f32 = 3.6169;
 
 /// Gradient noise in the plane, -1 .. 1, zero on the lattice. Standard deviation 0.304.
 fn perlin_noise2(p: vec2f, seed: u32) -> f32 {
