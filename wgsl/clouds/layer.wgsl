@@ -77,6 +77,8 @@ const CLOUD_OCTAVES: i32 = 5;
 const CLOUD_MEAN: f32 = 0.84;
 // Mean cosine of the angle by which droplets turn light.
 const CLOUD_ASYMMETRY: f32 = 0.85;
+// As far as it is worth telling that there is no cloud, in distances between heaps.
+const CLOUD_VACANT: f32 = 0.3;
 // Samples of a column's profile, and of a shadow.
 const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 12;
@@ -192,6 +194,8 @@ struct CloudWeather {
     clear: f32,
     /// See `clouds.type`.
     kind: f32,
+    /// How fast `cover` can rise over land (1/m): anywhere, and here; and how fast the latter can grow (1/m²).
+    rise: vec3f,
 }
 
 /// The weather at `p` (m), which is `above` (m) the layer's base.
@@ -213,6 +217,7 @@ fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
     let threshold = 0.26 * spread * cloud_score(clouds.coverage);
     let lack = threshold - CLOUD_BRINK / clouds.clumping - sum;
     let clear = lack / (PERLIN_NOISE3_SLOPE * slope);
+    let rise = vec3f(vec2f(PERLIN_NOISE3_SLOPE * slope * frequency), 0.0);
 #else
     let place = (p.xz - drift) * frequency;
     let heaps = perlin_noise2_grad(place, clouds.seed);
@@ -230,6 +235,7 @@ fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
     let steepness = length(gradient);
     let root = sqrt(max(steepness * steepness + 2.0 * curvature * lack, 0.0));
     let clear = max(lack / (PERLIN_NOISE2_SLOPE * slope), 2.0 * lack / (steepness + root + 1e-9));
+    let rise = vec3f(PERLIN_NOISE2_SLOPE * slope, steepness, curvature * frequency) * frequency;
 #endif
 #if clouds.shape == shell
     let regional = region;
@@ -238,7 +244,7 @@ fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
 #endif
     let cover = CLOUD_BRINK + clouds.clumping * (sum - threshold);
     let kind = clamp(clouds.type + 0.8 * clouds.variety * regional, 0.0, 1.0);
-    return CloudWeather(cover, max(clear, 0.0) * clouds.scale, kind);
+    return CloudWeather(cover, max(clear, 0.0) * clouds.scale, kind, clouds.clumping * rise);
 }
 
 /// The fraction of the layer above which there is no cloud anywhere.
@@ -266,8 +272,8 @@ fn cloud_sheet(height: f32) -> f32 {
 
 /// How far from `p` (m) on there surely is no cloud, in every direction; 0 where there may be one.
 ///
-/// A certificate for marches: above and below the layer the distance to it, in the gaps of `weather` what the noise in the
-/// plane can't rise in. Costs three noises in the plane.
+/// A certificate for marches: above and below the layer the distance to it; of `weather`, what the noise in the plane
+/// can't rise in, in the gaps and above, below and between the heaps. Costs three noises in the plane.
 fn cloud_vacancy(p: vec3f) -> f32 {
     let altitude = cloud_altitude(p);
     let low = clouds.base;
@@ -285,6 +291,28 @@ fn cloud_vacancy(p: vec3f) -> f32 {
     let spread = inverseSqrt(1.0 + clouds.shear * clouds.shear);
 #endif
     clear = max(clear, spread * weather.clear);
+    // Over, under and beside the heaps: as far as profile and cover surely do not add up to what is eaten everywhere.
+    let stops = cloud_stops(weather.kind);
+    let height = (altitude - clouds.base) / clouds.thickness;
+    let least = 1.0 + CLOUD_BITE * CLOUD_RIM * clouds.detail;
+    let turning = 0.8 * clouds.variety * PERLIN_NOISE3_SLOPE / (CLOUD_REGION * clouds.scale); // of the type, 1/m
+    var free = clear;
+    var taken = max(clear, CLOUD_VACANT * clouds.scale);
+    for (var i = 0; i < 7; i++) {
+        let way = 0.5 * (free + taken);
+        let over_land = way / spread;
+        let cover = weather.cover + over_land * min(weather.rise.x, weather.rise.y + 0.5 * weather.rise.z * over_land);
+        // A change of the type moves no stop by more than .75 of it.
+        let reach = way / clouds.thickness + 0.75 * turning * over_land;
+        let lowest = max(height - reach, 0.0);
+        let profile = cloud_gradient(clamp(0.5 * (stops.y + stops.z), height - reach, height + reach), stops);
+        if profile + min(cover - clouds.taper * lowest * lowest, 1.0) < least {
+            free = way;
+        } else {
+            taken = way;
+        }
+    }
+    clear = free;
 #endif
     // Where rounding could tell otherwise, a little less.
     return max(0.999 * clear - 1e-6 * (abs(altitude) + abs(high)), 0.0);
@@ -315,6 +343,9 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
     let weather = cloud_weather(p, height * clouds.thickness);
     let profile = cloud_gradient(height, cloud_stops(weather.kind));
     let cover = weather.cover - clouds.taper * height * height;
+    if profile + min(cover, 1.0) < 1.0 + CLOUD_BITE * CLOUD_RIM * clouds.detail {
+        return 0.0; // whatever the noise: all of it would be eaten
+    }
 #else
     let room = 0.5 * clouds.box_size - abs(p.xz - clouds.box_center);
     let inset = min(room.x, room.y) / (0.2 * min(clouds.box_size.x, clouds.box_size.y));
