@@ -41,7 +41,7 @@
 /// How gently clouds begin: small is a crisp edge.
 #param clouds.softness: f32 = 0.12, range 0.01 .. 1
 /// Extinction in the densest parts: how much light a metre takes.
-#param clouds.extinction: f32 = 0.05, range 0.00001 .. 10, log, unit 1/m
+#param clouds.extinction: f32 = 0.08, range 0.00001 .. 10, log, unit 1/m
 /// Which clouds: another seed, another sky.
 #param clouds.seed: u32 = 1
 /// Where the wind blows to, clockwise from north.
@@ -75,6 +75,10 @@ const CLOUD_SHAPE_OCTAVES: i32 = 3;
 const CLOUD_OCTAVES: i32 = 5;
 // What the noise that clouds are cut out of is on average.
 const CLOUD_MEAN: f32 = 0.84;
+// Mean cosine of the angle by which droplets turn light.
+const CLOUD_ASYMMETRY: f32 = 0.85;
+// As far as it is worth telling that there is no cloud, in distances between heaps.
+const CLOUD_VACANT: f32 = 0.3;
 // Samples of a column's profile, and of a shadow.
 const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 12;
@@ -190,6 +194,8 @@ struct CloudWeather {
     clear: f32,
     /// See `clouds.type`.
     kind: f32,
+    /// How fast `cover` can rise over land (1/m): anywhere, and here; and how fast the latter can grow (1/m²).
+    rise: vec3f,
 }
 
 /// The weather at `p` (m), which is `above` (m) the layer's base.
@@ -211,6 +217,7 @@ fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
     let threshold = 0.26 * spread * cloud_score(clouds.coverage);
     let lack = threshold - CLOUD_BRINK / clouds.clumping - sum;
     let clear = lack / (PERLIN_NOISE3_SLOPE * slope);
+    let rise = vec3f(vec2f(PERLIN_NOISE3_SLOPE * slope * frequency), 0.0);
 #else
     let place = (p.xz - drift) * frequency;
     let heaps = perlin_noise2_grad(place, clouds.seed);
@@ -228,6 +235,7 @@ fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
     let steepness = length(gradient);
     let root = sqrt(max(steepness * steepness + 2.0 * curvature * lack, 0.0));
     let clear = max(lack / (PERLIN_NOISE2_SLOPE * slope), 2.0 * lack / (steepness + root + 1e-9));
+    let rise = vec3f(PERLIN_NOISE2_SLOPE * slope, steepness, curvature * frequency) * frequency;
 #endif
 #if clouds.shape == shell
     let regional = region;
@@ -236,7 +244,7 @@ fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
 #endif
     let cover = CLOUD_BRINK + clouds.clumping * (sum - threshold);
     let kind = clamp(clouds.type + 0.8 * clouds.variety * regional, 0.0, 1.0);
-    return CloudWeather(cover, max(clear, 0.0) * clouds.scale, kind);
+    return CloudWeather(cover, max(clear, 0.0) * clouds.scale, kind, clouds.clumping * rise);
 }
 
 /// The fraction of the layer above which there is no cloud anywhere.
@@ -264,8 +272,8 @@ fn cloud_sheet(height: f32) -> f32 {
 
 /// How far from `p` (m) on there surely is no cloud, in every direction; 0 where there may be one.
 ///
-/// A certificate for marches: above and below the layer the distance to it, in the gaps of `weather` what the noise in the
-/// plane can't rise in. Costs three noises in the plane.
+/// A certificate for marches: above and below the layer the distance to it; of `weather`, what the noise in the plane
+/// can't rise in, in the gaps and above, below and between the heaps. Costs three noises in the plane.
 fn cloud_vacancy(p: vec3f) -> f32 {
     let altitude = cloud_altitude(p);
     let low = clouds.base;
@@ -283,6 +291,28 @@ fn cloud_vacancy(p: vec3f) -> f32 {
     let spread = inverseSqrt(1.0 + clouds.shear * clouds.shear);
 #endif
     clear = max(clear, spread * weather.clear);
+    // Over, under and beside the heaps: as far as profile and cover surely do not add up to what is eaten everywhere.
+    let stops = cloud_stops(weather.kind);
+    let height = (altitude - clouds.base) / clouds.thickness;
+    let least = 1.0 + CLOUD_BITE * CLOUD_RIM * clouds.detail;
+    let turning = 0.8 * clouds.variety * PERLIN_NOISE3_SLOPE / (CLOUD_REGION * clouds.scale); // of the type, 1/m
+    var free = clear;
+    var taken = max(clear, CLOUD_VACANT * clouds.scale);
+    for (var i = 0; i < 7; i++) {
+        let way = 0.5 * (free + taken);
+        let over_land = way / spread;
+        let cover = weather.cover + over_land * min(weather.rise.x, weather.rise.y + 0.5 * weather.rise.z * over_land);
+        // A change of the type moves no stop by more than .75 of it.
+        let reach = way / clouds.thickness + 0.75 * turning * over_land;
+        let lowest = max(height - reach, 0.0);
+        let profile = cloud_gradient(clamp(0.5 * (stops.y + stops.z), height - reach, height + reach), stops);
+        if profile + min(cover - clouds.taper * lowest * lowest, 1.0) < least {
+            free = way;
+        } else {
+            taken = way;
+        }
+    }
+    clear = free;
 #endif
     // Where rounding could tell otherwise, a little less.
     return max(0.999 * clear - 1e-6 * (abs(altitude) + abs(high)), 0.0);
@@ -313,6 +343,9 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
     let weather = cloud_weather(p, height * clouds.thickness);
     let profile = cloud_gradient(height, cloud_stops(weather.kind));
     let cover = weather.cover - clouds.taper * height * height;
+    if profile + min(cover, 1.0) < 1.0 + CLOUD_BITE * CLOUD_RIM * clouds.detail {
+        return 0.0; // whatever the noise: all of it would be eaten
+    }
 #else
     let room = 0.5 * clouds.box_size - abs(p.xz - clouds.box_center);
     let inset = min(room.x, room.y) / (0.2 * min(clouds.box_size.x, clouds.box_size.y));
@@ -331,13 +364,13 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
     var width = CLOUD_PUFF * clouds.scale;
     var weight = 0.625;
     var puffs = 0.0;
-    var lifted = 0.0;
+    var finer = 0.0; // the same fBm from the second octave on
     var density = 0.0;
     var detail = 0.0;
     for (var i = 0; i < CLOUD_OCTAVES; i++) {
         if i == CLOUD_SHAPE_OCTAVES {
 #if clouds.form == weather
-            density = cloud_cover(profile * cloud_lift(lifted, 1.0 - puffs), min(cover, 1.0));
+            density = cloud_cover(profile * cloud_lift(mix(perlin, 1.0, puffs), 1.0 - finer), min(cover, 1.0));
 #else
             density = cloud_cover(profile * 2.0 * perlin * puffs, cover);
 #endif
@@ -353,7 +386,7 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
         }
         if i < CLOUD_SHAPE_OCTAVES {
             puffs += weight * puff;
-            lifted = select(lifted, mix(perlin, 1.0, puff), i == 0);
+            finer += select(2.5 * weight, 0.0, i == 0) * puff;
             weight = select(0.125, 0.25, i == 0);
         } else {
             detail += weight * puff;
@@ -387,9 +420,15 @@ fn cloud_depths(p: vec3f) -> vec2f {
     let height = clamp(cloud_height_fraction(p), 0.0, 1.0);
 #if clouds.form == weather
     let weather = cloud_weather(p, height * clouds.thickness);
-    let stops = cloud_stops(weather.kind);
-    let cover = weather.cover;
+    return cloud_column(height, weather.cover, cloud_stops(weather.kind));
+#else
+    return cloud_column(height, 0.0, vec4f(0.0));
 #endif
+}
+
+/// Optical depth above (x) and below (y) the `height` (fraction of the layer) of a column with such a cover and profile
+/// (which only `weather` reads), as the mean noise fills it.
+fn cloud_column(height: f32, cover: f32, stops: vec4f) -> vec2f {
     var depths = vec2f(0.0);
     for (var i = 0; i < CLOUD_COLUMN; i++) {
         let at = (f32(i) + 0.5) / f32(CLOUD_COLUMN);
@@ -409,20 +448,40 @@ fn cloud_depths(p: vec3f) -> vec2f {
     return depths * (clouds.extinction * clouds.thickness / f32(CLOUD_COLUMN));
 }
 
+/// Irradiance of level ground under the layer by sky and clouds together, in the mean over the land: what lights an overcast
+/// day. The sun's own beam is not in it (that is `day.sun` times `clouds_shadow`).
+///
+/// The open part of the sky as it is, under the covered part what a slab of the clouds' mean depth lets through (Eddington).
+fn clouds_irradiance(day: Daylight) -> vec3f {
+    let g = CLOUD_ASYMMETRY;
+    // Mean of a normal distribution beyond its threshold, near enough.
+    let excess = 0.8 - 0.25 * clamp(cloud_score(clouds.coverage), -3.0, 2.0);
+    let depths = cloud_column(0.0, CLOUD_BRINK + 0.35 * clouds.clumping * excess, cloud_stops(clouds.type));
+    let depth = (1.0 - g) * (depths.x + depths.y);
+    let mu = max(day.to_sun.y, 0.05);
+    let beam = exp(-min(depth / mu, 80.0));
+    let of_sun = max((0.667 + mu + (0.667 - mu) * beam) / (1.333 + depth) - beam, 0.0);
+    let of_sky = 1.333 / (1.333 + depth);
+    let shaded = clouds.coverage;
+    return mix(day.sky, of_sky * day.sky + of_sun * max(day.to_sun.y, 0.0) * day.sun, shaded);
+}
+
 /// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye; see <march/volume.wgsl>.
 fn cloud_source(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
     let to_sun = key_direction();
     let cos_theta = dot(direction, to_sun);
     let first = exp(-light_depth) * phase_two_lobe(cos_theta, 0.8, -0.3, 0.85);
     // Light turned by small angles only is as good as a beam that is dimmed less.
-    let g = 0.85;
+    let g = CLOUD_ASYMMETRY;
     let beam = exp(-(1.0 - g) * light_depth);
     let broad = (beam - exp(-light_depth)) * phase_henyey_greenstein(cos_theta, 0.5);
     // The rest is diffuse (Eddington), seen from the inside of what hides it.
-    let depths = (1.0 - g) * cloud_depths(p);
+    let mu = max(to_sun.y, 0.3);
+    let column = (1.0 - g) * cloud_depths(p);
+    let sunward = (1.0 - g) * light_depth * mu;
+    let depths = vec2f(mix(column.x, sunward, 0.6), column.y);
     let whole = depths.x + depths.y;
     let inward = clamp(depths.x - 0.67 * direction.y, 0.0, whole);
-    let mu = clamp(depths.x / max((1.0 - g) * light_depth, 1e-3), max(to_sun.y, 0.15), 1.0);
     let passed = (0.667 + mu + (0.667 - mu) * exp(-whole / mu)) / (1.333 + whole);
     let field = 2.0 * (1.0 - passed) + 3.0 * (mu * (1.0 - exp(-inward / mu)) - passed * inward);
     let diffuse = mu * 0.0795775 * max(field, 0.0);
@@ -462,8 +521,9 @@ fn clouds_trace(
     var how = cloud_effort();
     how.pixel_angle = pixel_angle;
     let seen = cloud_volume_march(origin, direction, begin, end, day.to_sun, jitter, how);
-    let ground = clouds.ground / 3.14159265 * (max(day.to_sun.y, 0.0) * day.sun + day.sky);
-    let radiance = seen.radiance.x * day.sun + seen.radiance.y * day.sky + seen.radiance.z * 3.14159265 * ground;
+    // The ground beneath is in the shadow of clouds where these are.
+    let lit_ground = (1.0 - 0.7 * clouds.coverage) * max(day.to_sun.y, 0.0) * day.sun + day.sky;
+    let radiance = seen.radiance.x * day.sun + seen.radiance.y * day.sky + seen.radiance.z * clouds.ground * lit_ground;
     return CloudsSeen(radiance, seen.transmittance, seen.distance);
 }
 

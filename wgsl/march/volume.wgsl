@@ -95,6 +95,7 @@ fn march(
     var light_from = vec3f(0.0);
     var light_reach = 0.0;
     var light_power = 1.0;
+    var light_footprint = 0.0;
     var light_depth = 0.0;
     var done = false;
     for (var turn = 0; turn <= how.max_steps + most_lights * light_samples; turn++) {
@@ -108,7 +109,7 @@ fn march(
                 * (light_reach / pow(f32(light_samples), light_power));
             width = edges.z - edges.x;
             place = light_from + edges.y * to_light;
-            footprint = 0.5 * width;
+            footprint = max(light_footprint, 0.0 * width);
         } else {
             if here <= 0.0 && stride < 0.0 {
                 let free = vacancy(first + at * direction);
@@ -153,7 +154,13 @@ fn march(
             light_index++;
         } else if !done {
             let step = target_at - at;
-            let depth = 0.5 * (here + found) * step;
+            // Where it begins to be dense, if the density rises as it does behind: an edge between two places.
+            var empty = 0.0;
+            if here <= 0.0 && ahead_at > target_at && ahead > found {
+                empty = clamp(step - found * (ahead_at - target_at) / (ahead - found), 0.0, step);
+            }
+            let full = step - empty;
+            let depth = 0.5 * (here + found) * full;
             let weight = seen.transmittance * (1.0 - exp(-depth));
             let pixel = max(near + at, 0.0) * how.pixel_angle;
             if known && weight > 1.5 * how.part && step > 2.0 * max(how.shortest, pixel)
@@ -164,12 +171,16 @@ fn march(
                 ahead_at = target_at;
                 ahead = found;
             } else {
-                // Where in the step the middle of its light comes from.
-                var part = 0.5 - depth / 12.0;
-                if depth > 0.1 {
-                    part = 1.0 / depth - 1.0 / (exp(min(depth, 80.0)) - 1.0);
+                // Where in the step the middle of its light comes from: by parts, and Simpson's rule.
+                var part = (here + 2.0 * found) / max(3.0 * (here + found), 1e-20);
+                if depth > 3.0 {
+                    part = 1.0 / depth;
+                } else if depth > 0.05 {
+                    let half = exp(-0.125 * (3.0 * here + found) * full);
+                    let end = exp(-depth);
+                    part = ((1.0 + 4.0 * half + end) / 6.0 - end) / (1.0 - end);
                 }
-                let middle = at + part * step;
+                let middle = at + empty + part * full;
                 if known {
                     dark += weight * vec3f(1.0, middle, 0.5 * (here + found));
                     seen.transmittance *= exp(-depth);
@@ -192,6 +203,7 @@ fn march(
                 lights++;
                 light_index = 0;
                 light_depth = 0.0;
+                light_footprint = max(near + dark.y / dark.x, 0.0) * how.pixel_angle;
                 light_reach = max(span(light_from, to_light).y, 1e-3);
                 let close = clamp(0.5 * dark.x / max(dark.z, 1e-20), 1e-3 * light_reach, light_reach);
                 light_power = clamp(log(light_reach / close) / log(max(f32(light_samples), 2.0)), 1.0, 4.0);

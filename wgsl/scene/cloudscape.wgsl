@@ -66,7 +66,8 @@ fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         passed *= sea.passed;
         start = vec3f(end.x, max(water.level, 0.0) + 2.0, end.z);
         toward = sea.direction;
-        if max(max(passed.x, passed.y), passed.z) < 0.002 {
+        if max(max(passed.x, passed.y), passed.z) < 0.06 {
+            radiance += passed * day.sky / 3.14159265; // looked at from above the sea mirrors little: its mean will do
             break;
         }
     }
