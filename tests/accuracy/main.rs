@@ -24,4 +24,5 @@ mod noise_ranges;
 mod phase;
 mod terrain;
 mod trees;
+mod volume;
 mod water;

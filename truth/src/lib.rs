@@ -17,3 +17,4 @@ pub mod phase;
 pub mod points;
 pub mod spectrum;
 pub mod trees;
+pub mod volume;
