@@ -41,7 +41,7 @@
 /// How gently clouds begin: small is a crisp edge.
 #param clouds.softness: f32 = 0.12, range 0.01 .. 1
 /// Extinction in the densest parts: how much light a metre takes.
-#param clouds.extinction: f32 = 0.05, range 0.00001 .. 10, log, unit 1/m
+#param clouds.extinction: f32 = 0.08, range 0.00001 .. 10, log, unit 1/m
 /// Which clouds: another seed, another sky.
 #param clouds.seed: u32 = 1
 /// Where the wind blows to, clockwise from north.
@@ -75,6 +75,8 @@ const CLOUD_SHAPE_OCTAVES: i32 = 3;
 const CLOUD_OCTAVES: i32 = 5;
 // What the noise that clouds are cut out of is on average.
 const CLOUD_MEAN: f32 = 0.84;
+// Mean cosine of the angle by which droplets turn light.
+const CLOUD_ASYMMETRY: f32 = 0.85;
 // As far as it is worth telling that there is no cloud, in distances between heaps.
 const CLOUD_VACANT: f32 = 0.3;
 // Samples of a column's profile, and of a shadow.
@@ -362,13 +364,13 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
     var width = CLOUD_PUFF * clouds.scale;
     var weight = 0.625;
     var puffs = 0.0;
-    var lifted = 0.0;
+    var finer = 0.0; // the same fBm from the second octave on
     var density = 0.0;
     var detail = 0.0;
     for (var i = 0; i < CLOUD_OCTAVES; i++) {
         if i == CLOUD_SHAPE_OCTAVES {
 #if clouds.form == weather
-            density = cloud_cover(profile * cloud_lift(lifted, 1.0 - puffs), min(cover, 1.0));
+            density = cloud_cover(profile * cloud_lift(mix(perlin, 1.0, puffs), 1.0 - finer), min(cover, 1.0));
 #else
             density = cloud_cover(profile * 2.0 * perlin * puffs, cover);
 #endif
@@ -384,7 +386,7 @@ fn cloud_density_filtered(p: vec3f, footprint: f32) -> f32 {
         }
         if i < CLOUD_SHAPE_OCTAVES {
             puffs += weight * puff;
-            lifted = select(lifted, mix(perlin, 1.0, puff), i == 0);
+            finer += select(2.5 * weight, 0.0, i == 0) * puff;
             weight = select(0.125, 0.25, i == 0);
         } else {
             detail += weight * puff;
@@ -418,9 +420,15 @@ fn cloud_depths(p: vec3f) -> vec2f {
     let height = clamp(cloud_height_fraction(p), 0.0, 1.0);
 #if clouds.form == weather
     let weather = cloud_weather(p, height * clouds.thickness);
-    let stops = cloud_stops(weather.kind);
-    let cover = weather.cover;
+    return cloud_column(height, weather.cover, cloud_stops(weather.kind));
+#else
+    return cloud_column(height, 0.0, vec4f(0.0));
 #endif
+}
+
+/// Optical depth above (x) and below (y) the `height` (fraction of the layer) of a column with such a cover and profile
+/// (which only `weather` reads), as the mean noise fills it.
+fn cloud_column(height: f32, cover: f32, stops: vec4f) -> vec2f {
     var depths = vec2f(0.0);
     for (var i = 0; i < CLOUD_COLUMN; i++) {
         let at = (f32(i) + 0.5) / f32(CLOUD_COLUMN);
@@ -440,20 +448,40 @@ fn cloud_depths(p: vec3f) -> vec2f {
     return depths * (clouds.extinction * clouds.thickness / f32(CLOUD_COLUMN));
 }
 
+/// Irradiance of level ground under the layer by sky and clouds together, in the mean over the land: what lights an overcast
+/// day. The sun's own beam is not in it (that is `day.sun` times `clouds_shadow`).
+///
+/// The open part of the sky as it is, under the covered part what a slab of the clouds' mean depth lets through (Eddington).
+fn clouds_irradiance(day: Daylight) -> vec3f {
+    let g = CLOUD_ASYMMETRY;
+    // Mean of a normal distribution beyond its threshold, near enough.
+    let excess = 0.8 - 0.25 * clamp(cloud_score(clouds.coverage), -3.0, 2.0);
+    let depths = cloud_column(0.0, CLOUD_BRINK + 0.35 * clouds.clumping * excess, cloud_stops(clouds.type));
+    let depth = (1.0 - g) * (depths.x + depths.y);
+    let mu = max(day.to_sun.y, 0.05);
+    let beam = exp(-min(depth / mu, 80.0));
+    let of_sun = max((0.667 + mu + (0.667 - mu) * beam) / (1.333 + depth) - beam, 0.0);
+    let of_sky = 1.333 / (1.333 + depth);
+    let shaded = clouds.coverage;
+    return mix(day.sky, of_sky * day.sky + of_sun * max(day.to_sun.y, 0.0) * day.sun, shaded);
+}
+
 /// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye; see <march/volume.wgsl>.
 fn cloud_source(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
     let to_sun = key_direction();
     let cos_theta = dot(direction, to_sun);
     let first = exp(-light_depth) * phase_two_lobe(cos_theta, 0.8, -0.3, 0.85);
     // Light turned by small angles only is as good as a beam that is dimmed less.
-    let g = 0.85;
+    let g = CLOUD_ASYMMETRY;
     let beam = exp(-(1.0 - g) * light_depth);
     let broad = (beam - exp(-light_depth)) * phase_henyey_greenstein(cos_theta, 0.5);
     // The rest is diffuse (Eddington), seen from the inside of what hides it.
-    let depths = (1.0 - g) * cloud_depths(p);
+    let mu = max(to_sun.y, 0.3);
+    let column = (1.0 - g) * cloud_depths(p);
+    let sunward = (1.0 - g) * light_depth * mu;
+    let depths = vec2f(mix(column.x, sunward, 0.6), column.y);
     let whole = depths.x + depths.y;
     let inward = clamp(depths.x - 0.67 * direction.y, 0.0, whole);
-    let mu = clamp(depths.x / max((1.0 - g) * light_depth, 1e-3), max(to_sun.y, 0.15), 1.0);
     let passed = (0.667 + mu + (0.667 - mu) * exp(-whole / mu)) / (1.333 + whole);
     let field = 2.0 * (1.0 - passed) + 3.0 * (mu * (1.0 - exp(-inward / mu)) - passed * inward);
     let diffuse = mu * 0.0795775 * max(field, 0.0);
@@ -493,8 +521,9 @@ fn clouds_trace(
     var how = cloud_effort();
     how.pixel_angle = pixel_angle;
     let seen = cloud_volume_march(origin, direction, begin, end, day.to_sun, jitter, how);
-    let ground = clouds.ground / 3.14159265 * (max(day.to_sun.y, 0.0) * day.sun + day.sky);
-    let radiance = seen.radiance.x * day.sun + seen.radiance.y * day.sky + seen.radiance.z * 3.14159265 * ground;
+    // The ground beneath is in the shadow of clouds where these are.
+    let lit_ground = (1.0 - 0.7 * clouds.coverage) * max(day.to_sun.y, 0.0) * day.sun + day.sky;
+    let radiance = seen.radiance.x * day.sun + seen.radiance.y * day.sky + seen.radiance.z * clouds.ground * lit_ground;
     return CloudsSeen(radiance, seen.transmittance, seen.distance);
 }
 
