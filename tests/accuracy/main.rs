@@ -27,4 +27,5 @@ mod phase;
 mod projection;
 mod terrain;
 mod trees;
+mod volume;
 mod water;

@@ -22,3 +22,4 @@ pub mod points;
 pub mod spectrum;
 pub mod trees;
 pub mod twilight;
+pub mod volume;
