@@ -5,7 +5,7 @@
 use truth::cloud_slab::{Medium, View, follow};
 
 fn main() {
-    let photons = std::env::args().nth(1).map_or(400_000, |text| text.parse().expect("how many photons"));
+    let photons = std::env::args().nth(1).map_or(250_000, |text| text.parse().expect("how many photons"));
     println!("albedo,tau,sun_zenith,view_zenith,view_azimuth,above,radiance,first_order,standard_error");
     let mut views = Vec::new();
     for above in [true, false] {
