@@ -12,6 +12,7 @@
 
 mod atmosphere;
 mod clouds;
+mod clouds_lit;
 mod colour;
 mod fractal;
 mod geometry;

@@ -6,6 +6,7 @@
 
 pub mod atmosphere;
 pub mod blackbody;
+pub mod cloud_slab;
 pub mod clouds;
 pub mod erosion;
 pub mod fractal;
