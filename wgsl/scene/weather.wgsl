@@ -3,6 +3,7 @@
 #include <camera/camera.wgsl>
 #include <geometry/ray.wgsl>
 #include <light/daylight.wgsl>
+#include <quality.wgsl>
 #include <sky/air.wgsl>
 #include <sky/cirrus.wgsl>
 #include <sky/sky.wgsl>
@@ -43,7 +44,8 @@ struct WeatherLayer {
 fn weather_daylight(position: vec3f) -> Daylight {
     var day = sky_daylight(position);
 #if weather.clouds
-    // TODO clouds_irradiance
+    let above = clamp((position.y - clouds.base) / clouds.thickness, 0.0, 1.0);
+    day.sky = mix(clouds_irradiance(day), day.sky, above);
 #endif
     return day;
 }
@@ -66,11 +68,13 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
     var first = WeatherLayer(vec3f(0.0), 1.0, distance);
     var second = first; // the farther one
 #if weather.clouds
-    let low = clouds_trace(origin, direction, 0.0, distance, jitter, camera_pixel_angle(), day);
+    let at_low = sky_daylight(vec3f(origin.x, clouds.base + 0.5 * clouds.thickness, origin.z));
+    let low = clouds_trace(origin, direction, 0.0, distance, jitter, camera_pixel_angle(), at_low);
     first = WeatherLayer(low.radiance, low.transmittance, low.distance);
 #endif
 #if weather.second_layer
-    let high = cirrus_clouds_trace(origin, direction, 0.0, distance, jitter, camera_pixel_angle(), day);
+    let at_high = sky_daylight(vec3f(origin.x, cirrus.base + 0.5 * cirrus.thickness, origin.z));
+    let high = cirrus_clouds_trace(origin, direction, 0.0, distance, jitter, camera_pixel_angle(), at_high);
     second = WeatherLayer(high.radiance, high.transmittance, high.distance);
 #endif
     if second.distance < first.distance {
@@ -104,8 +108,68 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
         }
         left *= met.transmittance;
     }
+#if weather.clouds
+    // Under the clouds the air scatters what they let through.
+    let reach = select(distance, first.distance, first.transmittance < 0.05);
+    let under = weather_share_below(origin.y, direction.y, reach, clouds.base + 0.3 * clouds.thickness);
+    var sunny = 1.0 - 0.8 * clouds.coverage;
+#if weather.shafts
+    sunny = weather_sunny_air(origin, direction, reach, jitter, day);
+#endif
+    let open = sky_daylight(origin);
+    let dimmed = clouds_irradiance(open) / max(open.sky + max(open.to_sun.y, 0.0) * open.sun, vec3f(1e-9));
+    seen.from_sun *= 1.0 - under * (1.0 - sunny);
+    seen.from_sky *= 1.0 - under * (1.0 - clamp(dimmed, vec3f(0.0), vec3f(1.0)));
+#endif
     if distance < RAY_FAR {
         return seen;
     }
     return cirrus_in(seen, origin, direction, day);
 }
+
+#if weather.clouds
+
+// Height over which the air thins by e, as far as clouds darken it: between the haze's and the molecules'.
+const WEATHER_AIR_HEIGHT: f32 = 3000.0; // m
+
+/// Part of the air along a ray that lies below `ceiling` (m), 0 .. 1: `y` (m) is the origin's height, `climb` the
+/// direction's, `distance` (m) the ray's length.
+fn weather_share_below(y: f32, climb: f32, distance: f32, ceiling: f32) -> f32 {
+    let start = clamp(y / WEATHER_AIR_HEIGHT, -3.0, 30.0);
+    let end = clamp((y + climb * min(distance, 1e7)) / WEATHER_AIR_HEIGHT, -3.0, 30.0);
+    let edge = ceiling / WEATHER_AIR_HEIGHT;
+    // A little of the air at the start stands in for all of it where a ray runs level.
+    let all = abs(exp(-start) - exp(-end)) + 1e-4;
+    let below = abs(exp(-min(start, edge)) - exp(-min(end, edge))) + select(0.0, 1e-4, start < edge);
+    return clamp(below / all, 0.0, 1.0);
+}
+
+#endif
+#if weather.clouds && weather.shafts
+
+#if quality == low
+const SHAFT_SAMPLES: vec2i = vec2i(4, 3); // places along the ray, and samples from each to the sun
+#elif quality == medium
+const SHAFT_SAMPLES: vec2i = vec2i(8, 3);
+#elif quality == high
+const SHAFT_SAMPLES: vec2i = vec2i(16, 4);
+#else
+const SHAFT_SAMPLES: vec2i = vec2i(32, 6);
+#endif
+
+/// Mean part of the sun that reaches the air below the clouds along a ray.
+fn weather_sunny_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day: Daylight) -> f32 {
+    let ceiling = clouds.base + 0.3 * clouds.thickness;
+    let span = ray_slab(origin.y, direction.y, -1e5, ceiling);
+    let near = clamp(span.near, 0.0, clouds.far);
+    let far = min(min(span.far, distance), clouds.far);
+    let thinning = 1.0 / WEATHER_VISIBILITY + direction.y / WEATHER_AIR_HEIGHT;
+    return cloud_volume_shafts(
+        origin, direction, near, far, thinning, day.to_sun, jitter, SHAFT_SAMPLES.x, SHAFT_SAMPLES.y,
+    );
+}
+
+// Distance over which haze hides haze behind it, as far as shafts are concerned.
+const WEATHER_VISIBILITY: f32 = 25000.0; // m
+
+#endif
