@@ -143,8 +143,8 @@ fn optical_paths_are_those_of_the_integral() {
         let exact = air.path(from, [(1.0 - mu * mu).sqrt(), mu, 0.0], distance);
         for kind in 0..3 {
             let off = (v[kind] - exact[kind]).abs();
-            // What is less than a thousandth of the vertical air is the difference of large numbers.
-            let floor = [8.0, 1.2, 15.0][kind] * 10.0;
+            // f32 holds a path of 300 km to .03 m: what is much shorter is the difference of two such numbers.
+            let floor = 400.0;
             if exact[kind] > floor {
                 long[kind] = long[kind].max(off / exact[kind]);
             } else {
@@ -154,11 +154,14 @@ fn optical_paths_are_those_of_the_integral() {
     }
     for kind in 0..3 {
         report.at_most(
-            &format!("{}: off, relative, 4,000 ways of 1 m to 1,000 km", names[kind]),
+            &format!(
+                "{}: off, relative, of paths of 400 m and more (4,000 ways of 1 m to 1,000 km)",
+                names[kind]
+            ),
             long[kind],
             1e-3,
         );
-        report.at_most(&format!("{}: off, m, of ways through little air", names[kind]), short[kind], 0.5);
+        report.at_most(&format!("{}: off, m, of paths below 400 m", names[kind]), short[kind], 0.4);
     }
     report.finish();
 }
@@ -343,10 +346,10 @@ fn the_sky_has_no_seams() {
     let preset = preset(&[], 8);
     let scope = Scope { includes: INCLUDES, preset: Some(&preset), ..Scope::default() };
     for (height, sun) in [(2.0, 60.0), (1e4, 80.0), (1e4, 91.0), (200.0, 91.5), (3e5, 70.0_f32)] {
-        // From well above the horizon to well below it, in steps of a hundredth of a degree, and through the zenith.
+        // From well above the horizon to well below it, in steps of a 250th of a degree, and through the zenith.
         let dip = (6.36e6 / (6.36e6 + f64::from(height))).acos().to_degrees() as f32;
         let mut worst: f64 = 0.0;
-        for (first, step) in [(90.0 + dip - 3.0, 0.002), (-5.0, 0.01_f32)] {
+        for (first, step) in [(90.0 + dip - 2.8, 0.004), (-5.0, 0.01_f32)] {
             let views: Vec<[f32; 7]> =
                 (0..1400).map(|i| look(&[height, sun, first + step * i as f32, 40.0])).collect();
             let call = "atmosphere_radiance(h, vec3f(a, b, c), vec3f(d, e, f))";
@@ -360,7 +363,7 @@ fn the_sky_has_no_seams() {
                 for c in 0..3 {
                     // The third difference over the value: 0 for what is smooth.
                     let jump = three[3][c] - 3.0 * three[2][c] + 3.0 * three[1][c] - three[0][c];
-                    let size = three.iter().map(|v| v[c].abs()).fold(0.0, f64::max).max(1e-6);
+                    let size = three.iter().map(|v| v[c].abs()).fold(1e-4, f64::max);
                     worst = worst.max(jump.abs() / size);
                 }
             }

@@ -145,7 +145,9 @@ fn atmosphere_lit(way: AtmosphereWay, left: vec3f, light_mu: f32, nu: f32, sine2
     if falls && foot < way.length {
         beyond = 2.0 * air_path_from_perigee(shells, way.perigee) - before;
     }
-    let rise = abs(air_place_after(way.start, way.length, radius).height - way.start.height);
+    let end_height = air_place_after(way.start, way.length, radius).height;
+    let lowest = select(min(way.start.height, end_height), way.perigee, falls && foot < way.length);
+    let rise = max(way.start.height, end_height) - lowest;
     let clear = min(left.x, min(left.y, left.z)) > 0.37 && rise < 3.0 * min(sky.mie_height, sky.rayleigh_height);
     let count = select(SKY_NODES, SKY_NODES_NEAR, clear);
 
