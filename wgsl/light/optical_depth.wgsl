@@ -52,7 +52,7 @@ fn air_densities(shells: AirShells, height: f32) -> vec2f {
 /// `x`: distance from the planet's centre in scale heights, `mu` 0 .. 1: cosine of the angle to the vertical. Between 1 and
 /// sqrt(pi x / 2). With w = u + u²/2x in place of the height u in scale heights, it is the integral of
 /// e^(−w) (1 + w²/2x + …) / sqrt(mu² + 2w/x): e^(y²) erfc(y), y = mu sqrt(x/2), and a correction of the order 1/x; both
-/// are fitted by rational functions. Relative error below 1e-5 for x >= 200, 2e-4 for x >= 30.
+/// are fitted by rational functions. Relative error below 1e-5 for x >= 200, 3e-4 for x >= 30, 2e-3 for x >= 10.
 fn chapman_rising(x: vec2f, mu: f32) -> vec2f {
     let half = sqrt(0.5 * x);
     let y = mu * half;
