@@ -377,6 +377,93 @@ fn the_sky_has_no_seams() {
     report.finish();
 }
 
+#[test]
+fn air_of_a_flat_world_is_that_of_the_integral() {
+    let mut report = Report::new(SECTION, "air_of_a_flat_world_is_that_of_the_integral");
+    let scope = Scope { includes: &["<sky/planar.wgsl>"], ..Scope::default() };
+    let mut random = Random::new(45);
+    let mut points: Vec<[f32; 3]> = Vec::new();
+    while points.len() < 3000 {
+        let (height, climb) = (10_f32.powf(random.within(0.0, 4.8)), random.within(-1.0, 1.0).powi(3));
+        let distance = 10_f32.powf(random.within(1.0, 5.5));
+        if (0.0..80e3).contains(&(height + climb * distance)) {
+            points.push([height, climb, distance]);
+        }
+    }
+    let got = values("planar_depth(y, c, d)", &scope, ["y", "c", "d"], &points);
+    let air = Air::earth();
+    let mut off: f64 = 0.0;
+    for (point, v) in points.iter().zip(&got) {
+        let [height, climb, distance] = point.map(f64::from);
+        let mut path = [0.0; 3];
+        let steps = 4000;
+        for i in 0..steps {
+            let y = height + climb * distance * (f64::from(i) + 0.5) / f64::from(steps);
+            for (sum, scale) in path.iter_mut().zip([8e3, 1.2e3]) {
+                *sum += distance / f64::from(steps) * (-y / scale).exp() * (80e3 - y) / 80e3;
+            }
+        }
+        let exact = air.dimmed(path);
+        off = off.max(relative(&[0, 1, 2].map(|c| (-v[c]).exp()), exact, 1e-6));
+    }
+    report.at_most("transmittance of 3,000 ways off, relative", off, 0.003);
+    report.finish();
+}
+
+#[test]
+fn air_is_light_from_everywhere() {
+    let mut report = Report::new(SECTION, "air_is_light_from_everywhere");
+    let mut random = Random::new(46);
+    let mut points: Vec<[f32; 7]> = Vec::new();
+    for i in 0..3000 {
+        let reach = 10_f32.powf(random.within(-1.0, 7.5));
+        let mut from: [f32; 3] = random.point(reach);
+        match i % 4 {
+            0 => from = [0.0, [-12e3, -1.0, 0.0, 2.0, 1e5, 100_000.1, 2e7][i / 4 % 7], 0.0],
+            1 => from[1] = from[1].abs(),
+            _ => {}
+        }
+        let aim: [f32; 3] = random.point(1.0);
+        let sun = [0.866_025_4, 0.5, 0.0_f32];
+        let aim = match i / 3 % 7 {
+            0 => [0.0, 1.0, 0.0],
+            1 => [0.0, -1.0, 0.0],
+            2 => [1.0, 0.0, 0.0],
+            3 => sun,
+            4 => sun.map(|x| -x),
+            _ => aim,
+        };
+        let distance = [1e30, 1e30, 0.0, 1e-3, 1.0, 1e4, 1e6, 1e8][i % 8];
+        points.push([from[0], from[1], from[2], aim[0], aim[1], aim[2], distance]);
+    }
+    for model in ["atmosphere", "planar"] {
+        for elevation in [90.0, 30.0, 0.0, -0.5, -12.0, -90.0] {
+            let mut preset = Preset::of_text("none", "");
+            preset.set(&format!("sky.model={model}")).unwrap();
+            preset.set(&format!("sun.elevation={elevation}")).unwrap();
+            preset.set("sun.azimuth=90").unwrap();
+            let scope = Scope {
+                includes: &["<sky/sky.wgsl>"],
+                fragment: "#include <sky/sky.wgsl>\nfn seen(o: vec3f, d: vec3f, t: f32) -> array<vec3f, 3> {\n    \
+                    let air = sky_air(o, normalize(d), t);\n    let day = sky_daylight(o);\n    \
+                    return array<vec3f, 3>(air.from_sun + air.from_sky, air.transmittance, day.sun + day.sky);\n}\n",
+                preset: Some(&preset),
+            };
+            let mut wrong = 0;
+            let columns = ["a", "b", "c", "d", "e", "f", "t"];
+            for part in 0..3 {
+                let call = format!("seen(vec3f(a, b, c), vec3f(d, e, f), t)[{part}]");
+                let most = if part == 1 { 1.000_001 } else { 20.0 };
+                let got = values(&call, &scope, columns, &points);
+                wrong += got.iter().filter(|v| v.iter().any(|x| !(0.0..=most).contains(x))).count();
+            }
+            let what = format!("{model}, sun at {elevation}°: rays of 3,000 that see what is no light");
+            report.at_most(&what, wrong as f64, 0.0);
+        }
+    }
+    report.finish();
+}
+
 /// Largest error of a channel, over its value or over `floor`, whichever is larger.
 fn relative(got: &[f64], exact: [f64; 3], floor: f64) -> f64 {
     (0..3)
