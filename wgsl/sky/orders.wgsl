@@ -53,7 +53,7 @@ fn orders_two_stream(height: f32, sun_mu: f32) -> OrdersField {
     let here = exp(-above * air_mass);
     let ground = exp(-column * air_mass);
     let ozone = 1e-6 * sky.ozone_half_width * sky.ozone_absorption;
-    let sun = exp(-2.0 * ozone / (sun_mu + sqrt(sun_mu * sun_mu + 0.031)));
+    let sun = exp(-2.0 * ozone / (sun_mu + sqrt(sun_mu * sun_mu + 0.016)));
     // Net flux, the same at all heights, from what comes down at the top and goes up at the ground; then the mean.
     let dark = 1.0 - sky.ground_albedo;
     let mirror = 0.5 * (1.0 + sky.ground_albedo);
@@ -75,13 +75,13 @@ fn orders_two_stream(height: f32, sun_mu: f32) -> OrdersField {
 fn orders_field(field: OrdersField) -> vec3f {
     let w = field.w;
     let thick = field.density.x;
-    var c = vec2f(10.8866, 6.6684);
-    c = w * c + vec2f(-32.06, -1.1642) + thick * vec2f(17.4352, -6.2747);
-    c = w * c + vec2f(22.8398, -8.207) + thick * vec2f(-22.2758, 3.3411);
-    c = w * c + vec2f(2.6214, 0.9327) + thick * vec2f(1.5385, 5.8943);
-    c = w * c + vec2f(-4.7553, 1.5435) + thick * (vec2f(0.6283, 1.243) + thick * vec2f(3.3575, -2.935));
-    c = w * c + vec2f(-0.5762, 0.673) + thick * (vec2f(2.7908, -2.4753) + thick * vec2f(-2.0629, 1.0841));
-    c = w * c + vec2f(0.5463, 0.0623) + thick * (vec2f(0.2217, -1.2817) + thick * vec2f(-0.7628, 1.237));
+    var c = vec2f(5.3545, -0.6954);
+    c = w * c + vec2f(-13.5216, 4.301) + thick * vec2f(7.7096, 2.1597);
+    c = w * c + vec2f(9.222, -5.4584) + thick * vec2f(-11.7752, -5.5033);
+    c = w * c + vec2f(-0.2766, 0.9608) + thick * vec2f(3.427, 3.8569);
+    c = w * c + vec2f(-0.8533, 0.6854) + thick * (vec2f(-0.7128, 0.9543) + thick * vec2f(1.4853, -0.0892));
+    c = w * c + vec2f(-0.6884, 0.0963) + thick * (vec2f(1.9935, -0.3203) + thick * vec2f(-1.4004, -0.6269));
+    c = w * c + vec2f(0.5268, 0.0663) + thick * (vec2f(-0.2705, -0.5888) + thick * vec2f(-0.0004, 0.1943));
     return exp(clamp(c.x + c.y * field.x, vec3f(-2.0), vec3f(3.5)));
 }
 
@@ -100,7 +100,7 @@ fn orders_source(height: f32, sun_mu: f32, view_mu: f32, cos_theta: f32) -> vec3
     let mean = orders_field(field) * field.mean;
     // Molecules: nearly all ways alike, somewhat more along the horizon, which is the brightest.
     let level = 1.0 - 3.0 * view_mu * view_mu;
-    let molecules = 1.0 + (0.035 + 0.0089 * field.x) * level;
+    let molecules = 1.0 + (0.0337 + 0.0023 * field.x) * level;
     // Aerosols see what is ahead: the horizon, the brighter half of up and down, the glow after sunset, and sunlight
     // that aerosols have sent forward before, in a lobe of twice the width.
     let tilt = clamp(3.0 * field.down / max(12.566371 * field.mean, vec3f(1e-30)), vec3f(-1.5), vec3f(1.5));
@@ -108,10 +108,10 @@ fn orders_source(height: f32, sun_mu: f32, view_mu: f32, cos_theta: f32) -> vec3
     let lobe = (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * clamp(cos_theta, -1.0, 1.0), 1.5);
     let horizon = 0.3 / (0.3 + abs(view_mu));
     let night = (1.0 - field.w) * (1.0 - field.w);
-    let ahead = 0.888 + 0.4207 * tilt * view_mu + (0.393 - 0.8362 * field.x) * horizon
-        + (0.2423 - 0.2474 * field.x) * night * (lobe - 1.0);
+    let ahead = 0.0875 + 0.3791 * tilt * view_mu + (0.9527 + 0.4691 * field.x) * horizon
+        + (0.1513 - 0.1636 * field.x) * night * (lobe - 1.0);
     let sent = orders_sent_forward(field) / 12.566371;
-    let aerosols = mean * max(ahead, vec3f(0.0)) + exp(-0.6416 + 0.2287 * field.x) * lobe * sent;
+    let aerosols = mean * max(ahead, vec3f(0.0)) + exp(-0.5216 + 0.3034 * field.x) * lobe * sent;
     return 1e-6 * (field.density.x * sky.rayleigh_scattering * (mean * molecules + sent)
         + field.density.y * sky.mie_scattering * aerosols);
 }
@@ -123,11 +123,11 @@ fn orders_irradiance(height: f32, sun_mu: f32) -> vec3f {
     let half = 3.1415927 * field.mean + 0.5 * field.down + max(sun_mu, 0.0) * orders_sent_forward(field);
     let w = field.w;
     let thick = field.density.x;
-    let even = -0.0358 + w * (0.3832 + w * (-2.2291 + w * (5.0631 + w * -3.3643)));
-    let low = -0.0282 + w * (-0.4464 + w * 0.5496);
-    let thicker = -0.2185 + w * (0.0459 + w * (1.6136 + w * (-2.1004 + w * 0.6366)));
-    let low_thicker = -0.0812 + w * 0.0441;
+    let even = 0.2208 + w * (-0.0148 + w * (-2.3921 + w * (4.8936 + w * -2.7729)));
+    let low = -0.0552 + w * (-0.2602 + w * 0.3754);
+    let thicker = 0.137 + w * (-0.3933 + w * (-0.0425 + w * (1.4438 + w * -1.197)));
+    let low_thicker = -0.0689 + w * 0.0219;
     let edge = 0.0036 / (0.0036 + sun_mu * sun_mu);
-    let part = even + thick * low - 0.1014 * edge + (thicker + thick * low_thicker + 0.2753 * edge) * field.x;
+    let part = even + thick * low - 0.276 * edge + (thicker + thick * low_thicker - 0.1123 * edge) * field.x;
     return max(half, vec3f(0.0)) * exp(clamp(part, vec3f(-2.0), vec3f(0.5)));
 }
