@@ -26,6 +26,7 @@ mod noise_flow;
 mod noise_ranges;
 mod phase;
 mod projection;
+mod sky_orders;
 mod terrain;
 mod trees;
 mod volume;
