@@ -51,19 +51,19 @@ fn orders_two_stream(height: f32, sun_mu: f32) -> OrdersField {
     let air_mass = orders_air_mass((sky.ground_radius + h) / sky.rayleigh_height, sun_mu);
     let mu = 1.0 / air_mass;
     let here = exp(-above * air_mass);
-    let ground = exp(-column * air_mass);
+    let at_ground = exp(-column * air_mass);
     let ozone = 1e-6 * sky.ozone_half_width * sky.ozone_absorption;
-    let sun = exp(-2.0 * ozone / (sun_mu + sqrt(sun_mu * sun_mu + 0.016)));
+    let past_ozone = exp(-2.0 * ozone / (sun_mu + sqrt(sun_mu * sun_mu + 0.016)));
     // Net flux, the same at all heights, from what comes down at the top and goes up at the ground; then the mean.
     let dark = 1.0 - sky.ground_albedo;
     let mirror = 0.5 * (1.0 + sky.ground_albedo);
-    let lit = 0.25 * dark * mu * (2.0 + 3.0 * mu * (1.0 - ground)) + 0.5 * dark * mu * ground;
+    let lit = 0.25 * dark * mu * (2.0 + 3.0 * mu * (1.0 - at_ground)) + 0.5 * dark * mu * at_ground;
     let net = lit / (0.25 * dark * (2.0 + 3.0 * column) + mirror);
     let scalar = 2.0 * (mu - net) - 3.0 * net * above + 3.0 * mu * mu * (1.0 - here);
     var field: OrdersField;
-    field.mean = max(scalar, vec3f(0.0)) * sun / 12.566371;
-    field.down = (net - mu * here) * sun;
-    field.sun = here * sun;
+    field.mean = max(scalar, vec3f(0.0)) * past_ozone / 12.566371;
+    field.down = (net - mu * here) * past_ozone;
+    field.sun = here * past_ozone;
     field.air_mass = air_mass;
     field.density = density;
     field.w = max(sun_mu / (abs(sun_mu) + 0.15), -0.62);
