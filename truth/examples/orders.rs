@@ -67,7 +67,13 @@ fn views(count: usize) {
                     continue;
                 };
                 row += 1;
-                let count = if sun > 91.0 { 5 * count } else { count };
+                let count = if sun > 95.0 {
+                    25 * count
+                } else if sun > 91.0 {
+                    5 * count
+                } else {
+                    count
+                };
                 let text = seen(&colours, [height, sun, zenith, azimuth], count, row as u64);
                 println!("{height},{sun},{zenith},{azimuth},{text}");
             }
