@@ -81,7 +81,7 @@ fn cloud_source(
 
 /// The same by octaves (Wrenninge et al. 2013): each next one has half the extinction, half the intensity and half the
 /// anisotropy, and what leaves the cloud at once is no longer there for it. Needs no level layer. What leaves is no more
-/// than what came in, but the middle of the layers of `cloud_source` gets a sixth of its light. `octaves`: 1 .. 8.
+/// than what came in, but the middle of the layers of `cloud_source` gets a fifth of its light. `octaves`: 1 .. 8.
 fn cloud_source_octaves(
     cos_theta: f32,
     sun_depth: f32,
