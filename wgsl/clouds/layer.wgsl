@@ -76,7 +76,7 @@
 #param clouds.silver_spread: f32 = 0.06, range 0.01 .. 0.5
 /// How much darker edges toward the sun are than what is behind them ("powder"). Not physical with `scattering` = `many`.
 #param clouds.powder: f32 = 0.0, range 0 .. 1
-/// As far as clouds are looked for.
+/// As far as clouds are looked for from where a ray comes into the layer.
 #param clouds.far: f32 = 120000.0, range 100 .. 100000000, log, unit m
 /// Colour of the land or sea beneath: the light that it throws back lights the bases.
 #param clouds.ground: vec3f = (0.10, 0.11, 0.09), color
@@ -428,7 +428,8 @@ fn cloud_extinction(p: vec3f, footprint: f32) -> f32 {
 /// Where ahead of `origin` a ray can meet clouds: from x to y (m), nowhere if x >= y.
 fn cloud_ahead(origin: vec3f, direction: vec3f) -> vec2f {
     let span = cloud_span(origin, direction);
-    return vec2f(max(span.near, 0.0), min(span.far, clouds.far));
+    let near = max(span.near, 0.0);
+    return vec2f(near, min(span.far, near + clouds.far));
 }
 
 /// Estimate of the optical depth straight above (x) and below (y) `p` (m), without a march: from the cover there and what
@@ -541,6 +542,7 @@ fn clouds_trace(
     }
     var how = cloud_effort();
     how.pixel_angle = pixel_angle;
+    how.growth = min(how.growth, (end - begin) / (12.0 * end)); // from far away the layer is thin
     let seen = cloud_volume_march(origin, direction, begin, end, day.to_sun, jitter, how);
     // The ground beneath is in the shadow of clouds where these are.
     let lit_ground = (1.0 - 0.7 * clouds.coverage) * max(day.to_sun.y, 0.0) * day.sun + day.sky;
