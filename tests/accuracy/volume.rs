@@ -133,7 +133,8 @@ fn layers_and_blobs_come_near_the_truth() {
         ("fine", FINE, [2e-3, 5e-3, 1.5]),
     ] {
         for (kind, called) in KINDS.iter().enumerate() {
-            let points: Vec<[f32; 3]> = SIGMAS.iter().map(|&sigma| [sigma as f32, kind as f32, 0.5]).collect();
+            let points: Vec<[f32; 3]> =
+                SIGMAS.iter().map(|&sigma| [sigma as f32, kind as f32, 0.5]).collect();
             let rows = marched("lit", how, 0.0, 900.0, &points);
             let (mut transmittance, mut radiance, mut distance) = (0.0_f64, 0.0_f64, 0.0_f64);
             for (row, sigma) in rows.iter().zip(SIGMAS) {
@@ -174,9 +175,8 @@ fn shadows_of_a_volume_are_as_deep_as_it_is() {
     for (kind, called) in KINDS.iter().enumerate() {
         let points: Vec<[f32; 2]> = SIGMAS.iter().map(|&sigma| [sigma as f32, kind as f32]).collect();
         for (samples, bound) in [(12, 0.15), (64, 0.02)] {
-            let shadow = format!(
-                "lit_shadow(vec3f(20.0, y, z), vec3f(1.0, 0.0, 0.0), 30.0, 880.0, {samples})"
-            );
+            let shadow =
+                format!("lit_shadow(vec3f(20.0, y, z), vec3f(1.0, 0.0, 0.0), 30.0, 880.0, {samples})");
             let rows = values(&shadow, &scope, ["y", "z"], &points);
             let error = rows
                 .iter()
@@ -194,7 +194,13 @@ fn shadows_of_a_volume_are_as_deep_as_it_is() {
         shafts,
         &scope,
         ["near", "far", "thinning"],
-        &[[0.0, 90.0, 0.0], [300.0, 900.0, 0.001], [0.0, 1000.0, 0.0], [0.0, 1000.0, 0.01], [0.0, 1000.0, -0.01]],
+        &[
+            [0.0, 90.0, 0.0],
+            [300.0, 900.0, 0.001],
+            [0.0, 1000.0, 0.0],
+            [0.0, 1000.0, 0.01],
+            [0.0, 1000.0, -0.01],
+        ],
     );
     let weighed = |thinning: f64| {
         let whole = (1.0 - (-thinning * 1000.0).exp()) / thinning;
@@ -255,7 +261,8 @@ fn steps_and_evaluations_are_counted_as_made() {
         .flat_map(|&y| (0..8).map(move |i| [y, i as f32 / 7.0]))
         .collect();
     for (name, how, samples, most) in [("coarse", COARSE, 6.0, 64.0), ("middle", MIDDLE, 8.0, 128.0)] {
-        let rows = values(&format!("count(y, jitter, counted_Volume({how}))"), &scope, ["y", "jitter"], &points);
+        let rows =
+            values(&format!("count(y, jitter, counted_Volume({how}))"), &scope, ["y", "jitter"], &points);
         let worst = |wrong: &dyn Fn(&[f64]) -> f64| rows.iter().map(|row| wrong(row)).fold(0.0, f64::max);
         report.at_most(
             &format!("{name}: evaluations told less those made"),
@@ -263,15 +270,27 @@ fn steps_and_evaluations_are_counted_as_made() {
             0.0,
         );
         // One evaluation a step and one at the start, but for steps that end where one was made before.
-        report.at_most(&format!("{name}: evaluations along the ray beyond steps"), worst(&|row| row[2] - row[0]), 1.0);
+        report.at_most(
+            &format!("{name}: evaluations along the ray beyond steps"),
+            worst(&|row| row[2] - row[0]),
+            1.0,
+        );
         report.at_most(&format!("{name}: steps"), worst(&|row| row[0]), most);
         report.at_most(
             &format!("{name}: evaluations toward the light that are no whole march"),
             worst(&|row| row[3] % samples),
             0.0,
         );
-        report.at_most(&format!("{name}: marches toward the light beyond sources"), worst(&|row| row[3] / samples - row[4]), 0.0);
-        report.at_least(&format!("{name}: most marches toward the light"), worst(&|row| row[3] / samples), 2.0);
+        report.at_most(
+            &format!("{name}: marches toward the light beyond sources"),
+            worst(&|row| row[3] / samples - row[4]),
+            0.0,
+        );
+        report.at_least(
+            &format!("{name}: most marches toward the light"),
+            worst(&|row| row[3] / samples),
+            2.0,
+        );
     }
     report.finish();
 }
@@ -289,7 +308,9 @@ fn nothing_breaks_a_march_through_a_volume() {
     }
     let mut broken = 0;
     let mut marches = 0;
-    for (near, far) in [(0.0, 1000.0), (900.0, 100.0), (5.0, 5.0), (-300.0, 900.0), (0.0, 1e8), (999_000.0, 1e6)] {
+    for (near, far) in
+        [(0.0, 1000.0), (900.0, 100.0), (5.0, 5.0), (-300.0, 900.0), (0.0, 1e8), (999_000.0, 1e6)]
+    {
         for how in [
             COARSE,
             MIDDLE,
