@@ -21,7 +21,7 @@ const LENS: f64 = 50.0;
 const REFERENCE: (i32, i32) = (512, 32);
 const PLAIN: (i32, i32) = (64, 12);
 /// Steps of the reference that one invocation takes: lavapipe ends loops at 65,535 turns in all.
-const SLICE: i32 = 16;
+const SLICE: i32 = 64;
 const EQUAL_BAR: f64 = 40.0;
 
 struct Scene {
