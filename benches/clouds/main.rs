@@ -66,12 +66,12 @@ struct Setting {
 
 #[rustfmt::skip]
 const SETTINGS: [Setting; 7] = [
-    Setting { name: "a", part: 0.3, light_part: 0.9, light_samples: 6, probe: 60.0, growth: 0.01, shortest: 8.0, max_steps: 64, opaque: 0.03 },
-    Setting { name: "b", part: 0.3, light_part: 0.6, light_samples: 6, probe: 50.0, growth: 0.008, shortest: 6.0, max_steps: 64, opaque: 0.02 },
-    Setting { name: "c", part: 0.2, light_part: 0.35, light_samples: 6, probe: 50.0, growth: 0.005, shortest: 4.0, max_steps: 96, opaque: 0.01 },
-    Setting { name: "d", part: 0.1, light_part: 0.35, light_samples: 6, probe: 40.0, growth: 0.005, shortest: 4.0, max_steps: 96, opaque: 0.01 },
-    Setting { name: "e", part: 0.1, light_part: 0.2, light_samples: 8, probe: 40.0, growth: 0.005, shortest: 4.0, max_steps: 128, opaque: 0.01 },
-    Setting { name: "f", part: 0.05, light_part: 0.1, light_samples: 12, probe: 30.0, growth: 0.003, shortest: 4.0, max_steps: 192, opaque: 0.005 },
+    Setting { name: "a", part: 0.5, light_part: 1.0, light_samples: 8, probe: 60.0, growth: 0.01, shortest: 12.0, max_steps: 64, opaque: 0.06 },
+    Setting { name: "b", part: 0.4, light_part: 1.0, light_samples: 8, probe: 48.0, growth: 0.009, shortest: 8.0, max_steps: 64, opaque: 0.05 },
+    Setting { name: "c", part: 0.2, light_part: 0.5, light_samples: 8, probe: 45.0, growth: 0.007, shortest: 4.0, max_steps: 96, opaque: 0.02 },
+    Setting { name: "d", part: 0.2, light_part: 0.5, light_samples: 10, probe: 40.0, growth: 0.006, shortest: 4.0, max_steps: 96, opaque: 0.02 },
+    Setting { name: "e", part: 0.2, light_part: 0.5, light_samples: 10, probe: 30.0, growth: 0.004, shortest: 4.0, max_steps: 128, opaque: 0.02 },
+    Setting { name: "f", part: 0.1, light_part: 0.25, light_samples: 12, probe: 25.0, growth: 0.003, shortest: 3.0, max_steps: 192, opaque: 0.01 },
     Setting { name: "g", part: 0.05, light_part: 0.1, light_samples: 12, probe: 20.0, growth: 0.002, shortest: 2.0, max_steps: 256, opaque: 0.005 },
 ];
 
