@@ -10,9 +10,9 @@ fn bench_ours(origin: vec3f, direction: vec3f, jitter: f32, how: ours_Volume) ->
     return ours_march(origin, direction, span.x, span.y, key_direction(), jitter, how);
 }
 
-/// `count` of `steps` even steps from the one called `start` on, each in the middle (`jitter` .5) of its part of the ray, and
-/// from each that meets cloud `light_steps` even ones to where the layer ends toward the light. All of one loop, as loops in
-/// loops end early on lavapipe. `distance` is left 0.
+/// `count` of `steps` even steps from the one called `start` on, each in the middle (`jitter` .5) of its part of the ray,
+/// and from each that meets cloud `light_steps` even ones to where the layer ends toward the light. All of it is one
+/// loop, with one call of the density. `distance` is left 0.
 fn bench_plain(
     origin: vec3f,
     direction: vec3f,

@@ -16,9 +16,9 @@
 /// From where to where (m, x < y, x >= 0) along a ray there can be anything at all; y <= x: nowhere.
 #slot span: fn(origin: vec3f, direction: vec3f) -> vec2f
 
-/// Radiance that leaves the medium toward `-direction` for a unit of optical depth (the source function: albedo times what
-/// comes in, by the phase function): at a place, seen along `direction`, with this extinction (1/m), and with this optical
-/// depth between it and the light.
+/// Radiance that leaves the medium toward `-direction` for a unit of optical depth (the source function: albedo times
+/// what comes in, by the phase function): at a place, seen along `direction`, with this extinction (1/m), and with this
+/// optical depth between it and the light.
 #slot source: fn(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f
 
 /// How a march trades speed for exactness.
@@ -61,8 +61,8 @@ struct VolumeSeen {
 ///
 /// `direction` and `to_light` are unit vectors. `jitter` (0 .. 1, .5 for none) is how much of the first step is taken:
 /// a number for each pixel turns bands into noise. Never gives more light than the brightest `source` on the ray times
-/// (1 - transmittance). One flat loop with one call of `density`, `vacancy` and `source` each; turns: `max_steps` +
-/// 1 + (2 / light_part + 1) `light_samples` at most.
+/// (1 - transmittance). One flat loop with one call of `density`, `vacancy` and `source` each; turns: `max_steps`
+/// + 3 + (2 / light_part + 1) `light_samples` at most.
 fn march(
     origin: vec3f,
     direction: vec3f,
@@ -98,7 +98,7 @@ fn march(
     var light_footprint = 0.0;
     var light_depth = 0.0;
     var done = false;
-    for (var turn = 0; turn <= how.max_steps + most_lights * light_samples; turn++) {
+    for (var turn = 0; turn < how.max_steps + 3 + most_lights * light_samples; turn++) {
         var place = first;
         var footprint = 0.0;
         var target_at = 0.0;
@@ -109,7 +109,7 @@ fn march(
                 * (light_reach / pow(f32(light_samples), light_power));
             width = edges.z - edges.x;
             place = light_from + edges.y * to_light;
-            footprint = max(light_footprint, 0.0 * width);
+            footprint = max(light_footprint, 0.25 * width); // a quarter of a step does not show
         } else {
             if here <= 0.0 && stride < 0.0 {
                 let free = vacancy(first + at * direction);
@@ -134,7 +134,7 @@ fn march(
                     step = min(step, max(allowed / here, max(how.shortest, pixel)));
                 }
                 target_at = min(at + max(step, rest), length);
-                if ahead_at > at && target_at > mix(at, ahead_at, 0.7) {
+                if ahead_at > at && target_at > mix(at, ahead_at, 0.7) && left > 1 {
                     target_at = ahead_at;
                     ask = false;
                 }
@@ -189,7 +189,7 @@ fn march(
                 here = found;
                 known = true;
                 stride = -1.0;
-                done = at >= length || seen.transmittance < how.opaque;
+                done = at >= length || seen.transmittance < max(how.opaque, 1e-7);
             }
             done = done || seen.steps >= how.max_steps;
         }
@@ -244,12 +244,12 @@ fn shadow(position: vec3f, to_light: vec3f, near: f32, far: f32, samples: i32) -
     return exp(-sum * spacing);
 }
 
-/// Mean part of a distant light, 0 .. 1, that reaches the air along a view ray between `near` and `far` (m): what the air's
-/// first-order light from it is to be multiplied by.
+/// Mean part of a distant light, 0 .. 1, that reaches the air along a view ray between `near` and `far` (m): what the
+/// air's first-order light from it is to be multiplied by.
 ///
 /// `thinning` (1/m): places count by e^(-thinning t), as the air thins out and hides itself; below 0 the far ones count
-/// more. `samples` places, each equally much, moved along by `jitter` (0 .. 1), and `light_samples` evaluations from each
-/// through what `span` says is there.
+/// more. `samples` places, each equally much, moved along by `jitter` (0 .. 1), and `light_samples` evaluations from
+/// each through what `span` says is there.
 fn shafts(
     origin: vec3f,
     direction: vec3f,
