@@ -21,7 +21,7 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
     let format = render::Format::of(&path)?;
     let mut composer = input::composer(common)?;
     composer.view.clone_from(&args.viewing.view);
-    for_a_file(format, &composer, &library, &mut preset, common)?;
+    for_a_file(format, &mut composer, &library, &mut preset, common)?;
     let shader = composer.run(&library, &preset, &input::bake(&args.baking))?;
     let (start, first) = first_frame(&shader);
     let start = args.time.unwrap_or(start);
@@ -59,7 +59,7 @@ pub(super) fn run(args: &Render, common: &Common) -> Outcome {
 /// averaged ([`render::encode`]), and in pictures of linear light, which are for further work, the tone map.
 fn for_a_file(
     format: render::Format,
-    composer: &orogen::Compose,
+    composer: &mut orogen::Compose,
     library: &orogen::Library,
     preset: &mut orogen::Preset,
     common: &Common,
