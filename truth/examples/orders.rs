@@ -14,7 +14,9 @@ fn main() {
                 println!("T {height} {mu} {:.6}", paths.sunlight(6_360e3 + height, mu));
             }
         }
-        for (sun, view, azimuth) in [(45.0, 0.0, 0.0), (65.0, 80.0, 90.0), (85.0, 80.0, 90.0), (94.0, 60.0, 0.0)] {
+        for (sun, view, azimuth) in
+            [(45.0, 0.0, 0.0), (65.0, 80.0, 90.0), (85.0, 80.0, 90.0), (94.0, 60.0, 0.0)]
+        {
             let start = std::time::Instant::now();
             for paths in &colours {
                 let estimate = paths.radiance(500.0, toward(view, azimuth), toward(sun, 0.0), count, 7);
@@ -35,8 +37,8 @@ fn main() {
     if mode == "field" {
         let heights = [0.0, 500.0, 1e3, 2e3, 4e3, 7e3, 11e3, 16e3, 23e3, 32e3, 45e3, 60e3];
         let suns = [
-            0.0, 20.0, 40.0, 55.0, 65.0, 72.0, 77.0, 81.0, 84.0, 86.0, 88.0, 89.0, 90.0, 91.0, 92.0, 93.0, 94.0, 95.0,
-            96.0, 97.0, 98.0, 100.0, 102.0, 105.0_f64,
+            0.0, 20.0, 40.0, 55.0, 65.0, 72.0, 77.0, 81.0, 84.0, 86.0, 88.0, 89.0, 90.0, 91.0, 92.0, 93.0,
+            94.0, 95.0, 96.0, 97.0, 98.0, 100.0, 102.0, 105.0_f64,
         ];
         for (i, &height) in heights.iter().enumerate() {
             for (j, &sun) in suns.iter().enumerate() {
@@ -70,13 +72,22 @@ fn others(count: usize) {
         let mut row = 0;
         for sun in [20.0, 65.0, 85.0, 90.0, 94.0] {
             for height in [0.5, 5000.0] {
-                for (zenith, azimuth) in [(0.0, 0.0), (60.0, 180.0), (75.0, 40.0), (88.0, 110.0), (88.0, 180.0)] {
+                for (zenith, azimuth) in
+                    [(0.0, 0.0), (60.0, 180.0), (75.0, 40.0), (88.0, 110.0), (88.0, 180.0)]
+                {
                     row += 1;
                     for (channel, paths) in colours.iter().enumerate() {
-                        let estimate =
-                            paths.radiance(height, toward(zenith, azimuth), toward(sun, 0.0), count, 3 * row + channel as u64);
+                        let estimate = paths.radiance(
+                            height,
+                            toward(zenith, azimuth),
+                            toward(sun, 0.0),
+                            count,
+                            3 * row + channel as u64,
+                        );
                         let (first, all, error) = (estimate.first, estimate.all, estimate.error);
-                        println!("{name},{height},{sun},{zenith},{azimuth},{channel},{first:.4e},{all:.4e},{error:.1e}");
+                        println!(
+                            "{name},{height},{sun},{zenith},{azimuth},{channel},{first:.4e},{all:.4e},{error:.1e}"
+                        );
                     }
                 }
             }
@@ -91,7 +102,8 @@ fn irradiances(colours: &[Paths], count: usize) {
         for sun in [0.0, 30.0, 50.0, 65.0, 75.0, 80.0, 85.0, 88.0, 90.0, 92.0, 94.0, 96.0_f64] {
             for (channel, paths) in colours.iter().enumerate() {
                 let count = if sun > 91.0 { 4 * count } else { count };
-                let (mean, error) = paths.irradiance(height, sun.to_radians().cos(), count, (sun + height) as u64 + 1);
+                let (mean, error) =
+                    paths.irradiance(height, sun.to_radians().cos(), count, (sun + height) as u64 + 1);
                 println!("{height},{sun},{channel},{mean:.4e},{error:.1e}");
             }
         }
@@ -103,7 +115,8 @@ fn rows(colours: &[Paths], count: usize) {
     let suns = [20.0, 45.0, 65.0, 75.0, 82.0, 85.0, 88.0, 89.0, 90.0, 92.0, 94.0, 96.0];
     let heights = [0.5, 500.0, 2000.0, 5000.0, 10_000.0];
     let azimuths = [0.0, 180.0, 30.0, 110.0, 60.0, 150.0, 10.0, 90.0];
-    let zeniths = [[0.0, 20.0, 35.0, 50.0, 58.0], [65.0, 70.0, 75.0, 80.0, 84.0], [86.0, 87.0, 88.0, 89.0, 89.8]];
+    let zeniths =
+        [[0.0, 20.0, 35.0, 50.0, 58.0], [65.0, 70.0, 75.0, 80.0, 84.0], [86.0, 87.0, 88.0, 89.0, 89.8]];
     println!("height,sun_zenith,view_zenith,view_azimuth,channel,first,all,standard_error");
     let mut row = 0;
     for (i, &sun) in suns.iter().enumerate() {
@@ -115,12 +128,15 @@ fn rows(colours: &[Paths], count: usize) {
                     let cosine: f64 = (0..3).map(|x| sun_direction[x] * toward(zenith, **azimuth)[x]).sum();
                     cosine < 10.0_f64.to_radians().cos()
                 };
-                let Some(&azimuth) = azimuths.iter().cycle().skip(row % 8).take(8).find(far) else { continue };
+                let Some(&azimuth) = azimuths.iter().cycle().skip(row % 8).take(8).find(far) else {
+                    continue;
+                };
                 row += 1;
                 let count = if sun > 91.0 { 2 * count } else { count };
                 for (channel, paths) in colours.iter().enumerate() {
                     let view = toward(zenith, azimuth);
-                    let estimate = paths.radiance(height, view, sun_direction, count, (3 * row + channel) as u64);
+                    let estimate =
+                        paths.radiance(height, view, sun_direction, count, (3 * row + channel) as u64);
                     let (first, all, error) = (estimate.first, estimate.all, estimate.error);
                     println!("{height},{sun},{zenith},{azimuth},{channel},{first:.4e},{all:.4e},{error:.1e}");
                 }

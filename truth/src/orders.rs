@@ -174,8 +174,9 @@ impl Paths {
             let (near, far) = (top - radius, rho + horizon);
             for column in 0..COLUMNS {
                 let length = near + (far - near) * column as f64 / (COLUMNS - 1) as f64;
-                let mu = ((top * top - radius * radius - length * length) / (2.0 * radius * length.max(1e-6)))
-                    .clamp(-1.0, 1.0);
+                let mu = ((top * top - radius * radius - length * length)
+                    / (2.0 * radius * length.max(1e-6)))
+                .clamp(-1.0, 1.0);
                 // Twice Simpson's rule in s, the way being (3s² - 2s³) of the length: dense at both ends.
                 let steps = 48;
                 let mut depth = 0.0;
@@ -183,7 +184,8 @@ impl Paths {
                     let s = f64::from(step) / f64::from(steps);
                     let way = length * s * s * (3.0 - 2.0 * s);
                     let height = (radius * radius + way * way + 2.0 * radius * mu * way).sqrt() - air.ground;
-                    let weight = if step == 0 || step == steps { 1.0 } else { 2.0 + 2.0 * f64::from(step % 2) };
+                    let weight =
+                        if step == 0 || step == steps { 1.0 } else { 2.0 + 2.0 * f64::from(step % 2) };
                     depth += weight * air.at(height)[2] * length * 6.0 * s * (1.0 - s);
                 }
                 sunlight.push(depth / (3.0 * f64::from(steps)));

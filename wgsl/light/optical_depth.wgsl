@@ -1,8 +1,8 @@
 // How much air a straight way through a planet's atmosphere passes, in closed form: no march.
 //
-// Two kinds of air that thin out exponentially with height (the Chapman function, 1931) and one whose density is a tent over
-// height. An optical path is the length (m) of air of density 1 that holds as much; times the extinction of such air (1/m)
-// it is an optical depth.
+// Two kinds of air that thin out exponentially with height (the Chapman function, 1931) and one whose density is a tent
+// over height. An optical path is the length (m) of air of density 1 that holds as much; times the extinction of such
+// air (1/m) it is an optical depth.
 
 /// The air around a planet.
 struct AirShells {
@@ -49,10 +49,10 @@ fn air_densities(shells: AirShells, height: f32) -> vec2f {
 
 /// Chapman's function of a rising ray: its optical path to infinity, over that of a vertical one through flat air.
 ///
-/// `x`: distance from the planet's centre in scale heights, `mu` 0 .. 1: cosine of the angle to the vertical. Between 1 and
-/// sqrt(pi x / 2). With w = u + u²/2x in place of the height u in scale heights, it is the integral of
-/// e^(−w) (1 + w²/2x + …) / sqrt(mu² + 2w/x): e^(y²) erfc(y), y = mu sqrt(x/2), and a correction of the order 1/x; both
-/// are fitted by rational functions. Relative error below 1e-5 for x >= 200, 2e-4 for x >= 30.
+/// `x`: distance from the planet's centre in scale heights, `mu` 0 .. 1: cosine of the angle to the vertical. Between 1
+/// and sqrt(pi x / 2). With w = u + u²/2x in place of the height u in scale heights, it is the integral of e^(−w) (1 +
+/// w²/2x + …) / sqrt(mu² + 2w/x): e^(y²) erfc(y), y = mu sqrt(x/2), and a correction of the order 1/x; both are fitted
+/// by rational functions. Relative error below 1e-5 for x >= 200, 3e-4 for x >= 30, 2e-3 for x >= 10.
 fn chapman_rising(x: vec2f, mu: f32) -> vec2f {
     let half = sqrt(0.5 * x);
     let y = mu * half;
@@ -88,7 +88,8 @@ fn air_path_tent(shells: AirShells, height: f32, mu: f32) -> f32 {
     return max(0.5 * twice / shells.tent_half_width, 0.0);
 }
 
-/// Optical paths (m) of a ray from `place` up to infinity, by kind; `place.mu` 0 .. 1. `densities`: `air_densities` there.
+/// Optical paths (m) of a ray from `place` up to infinity, by kind; `place.mu` 0 .. 1. `densities`: `air_densities`
+/// there.
 fn air_path_rising(shells: AirShells, place: AirPlace, densities: vec2f) -> vec3f {
     let x = (shells.radius + place.height) / shells.scale_height;
     let exponential = densities * shells.scale_height * chapman_rising(x, place.mu);
@@ -100,8 +101,8 @@ fn air_path_from_perigee(shells: AirShells, perigee: f32) -> vec3f {
     return air_path_rising(shells, AirPlace(perigee, 0.0), air_densities(shells, perigee));
 }
 
-/// Optical paths (m) of a ray from `place` in any direction to infinity, by kind; the planet does not stop it. Down and up
-/// again it is twice the path from the lowest point, less the path behind.
+/// Optical paths (m) of a ray from `place` in any direction to infinity, by kind; the planet does not stop it. Down and
+/// up again it is twice the path from the lowest point, less the path behind.
 ///
 /// Within .1 % for planets of at least 30 scale heights; never negative, finite for every height. `densities`:
 /// `air_densities` at `place`.
@@ -115,7 +116,8 @@ fn air_path_to_infinity(shells: AirShells, place: AirPlace, densities: vec2f) ->
 
 /// Optical paths (m) of `distance` (m) on from `place`, by kind: the difference of two paths to infinity.
 ///
-/// Of a short way the error is about .1 m of such air at most (f32 holds no more of a path to infinity); never negative.
+/// Of a short way the error is about .1 m of such air at most (f32 holds no more of a path to infinity); never
+/// negative.
 fn air_path_between(shells: AirShells, place: AirPlace, distance: f32) -> vec3f {
     let end = air_place_after(place, distance, shells.radius);
     let here = air_path_rising(shells, AirPlace(place.height, abs(place.mu)), air_densities(shells, place.height));

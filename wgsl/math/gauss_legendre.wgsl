@@ -1,7 +1,7 @@
 // Gauss–Legendre quadrature of a smooth function over 0 .. 1, in f32.
 //
-// `GAUSS_LEGENDRE_n` holds the first n / 2 nodes and their weights, (x, w); the others are (1 − x, w). The weights sum to 1/2.
-// With n nodes polynomials of degree 2 n − 1 are integrated exactly.
+// `GAUSS_LEGENDRE_n` holds the first n / 2 nodes and their weights, (x, w); the others are (1 − x, w). The weights sum
+// to 1/2. With n nodes polynomials of degree 2 n − 1 are integrated exactly.
 
 /// The 2-point rule.
 const GAUSS_LEGENDRE_2: array<vec2f, 1> = array<vec2f, 1>(

@@ -23,7 +23,8 @@ fn atmosphere_shells() -> AirShells {
     return AirShells(sky.ground_radius, heights, sky.ozone_center, sky.ozone_half_width);
 }
 
-/// Part of the light that comes through from the top of the air, 0 .. 1; 0 where the planet is in the way. In closed form.
+/// Part of the light that comes through from the top of the air, 0 .. 1; 0 where the planet is in the way. In closed
+/// form.
 ///
 /// `height`: m above the ground, `mu`: cosine of the zenith angle.
 fn atmosphere_transmittance(height: f32, mu: f32) -> vec3f {
@@ -54,8 +55,8 @@ struct AtmosphereWay {
     grounded: bool,
 }
 
-// The way through the air from `eye` to `distance` (m) on. What is farther than `RAY_FAR` ends on the planet; nearer things
-// may lie below sea level, as deep as `ATMOSPHERE_BELOW`.
+// The way through the air from `eye` to `distance` (m) on. What is farther than `RAY_FAR` ends on the planet; nearer
+// things may lie below sea level, as deep as `ATMOSPHERE_BELOW`.
 fn atmosphere_way(eye: AirPlace, distance: f32) -> AtmosphereWay {
     let endless = distance >= RAY_FAR;
     let low = select(-min(ATMOSPHERE_BELOW, 0.1 * sky.ground_radius), 0.0, endless);
@@ -129,9 +130,10 @@ fn atmosphere_shadow(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, asi
 
 // The light scattered to the eye along `way`.
 //
-// The integral is broken where the planet's shadow begins and ends and at the lowest point; each part has its own nodes,
-// which crowd where the air is dense.
-fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> AtmosphereLit {
+// The integral is broken where the planet's shadow begins and ends and at the lowest point; each part has its own
+// nodes, which crowd where the air is dense. `left` is what comes through of light behind: where that is much and the
+// way keeps to its height, few nodes do.
+fn atmosphere_lit(way: AtmosphereWay, left: vec3f, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> AtmosphereLit {
     var lit = AtmosphereLit(vec3f(0.0), vec3f(0.0));
     let shells = atmosphere_shells();
     let radius = sky.ground_radius;
@@ -147,6 +149,12 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
     if falls && foot < way.length {
         beyond = 2.0 * air_path_from_perigee(shells, way.perigee) - before;
     }
+    let end_height = air_place_after(way.start, way.length, radius).height;
+    let lowest = select(min(way.start.height, end_height), way.perigee, falls && foot < way.length);
+    let rise = max(way.start.height, end_height) - lowest;
+    let clear = min(left.x, min(left.y, left.z)) > 0.37 && rise < 3.0 * min(sky.mie_height, sky.rayleigh_height);
+    let count = select(SKY_NODES, SKY_NODES_NEAR, clear);
+
     let shadow = atmosphere_shadow(way, light_mu, nu, sine2, aside);
     let dark = shadow.near < shadow.far;
     let dusk = select(way.length, shadow.near, dark);
@@ -167,10 +175,11 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
         let idle = length <= 0.0 || shaded;
 #endif
         if !idle {
-            let drop = air_place_after(way.start, begin, radius).height - air_place_after(way.start, end, radius).height;
+            let from_height = air_place_after(way.start, begin, radius).height;
+            let drop = from_height - air_place_after(way.start, end, radius).height;
             let from_end = smoothstep(1.0, 4.0, drop / sky.rayleigh_height);
-            for (var i = 0; i < SKY_NODES; i++) {
-                let node = sky_node(i, from_end);
+            for (var i = 0; i < count; i++) {
+                let node = sky_node(i, count, from_end);
                 let t = begin + length * node.x;
                 let weight = length * node.y;
 
@@ -195,8 +204,8 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
     return lit;
 }
 
-/// Radiance of the sky for a sun of irradiance 1: all orders and the sunlit ground, or with `sky.multiple_scattering` off
-/// single scattering by the air alone.
+/// Radiance of the sky for a sun of irradiance 1: all orders and the sunlit ground, or with `sky.multiple_scattering`
+/// off single scattering by the air alone.
 ///
 /// `height`: m above the ground. `view`, `to_sun`: unit vectors to what is seen and to the sun, y up at that place.
 fn atmosphere_radiance(height: f32, view: vec3f, to_sun: vec3f) -> vec3f {
@@ -205,8 +214,8 @@ fn atmosphere_radiance(height: f32, view: vec3f, to_sun: vec3f) -> vec3f {
     return air.from_sun + air.from_sky;
 }
 
-/// The air from `origin` (m; `origin.y` above sea level) to `distance` (m) along the unit `direction`; from `RAY_FAR` on
-/// all of it, and the planet's sunlit ground where the ray ends on that.
+/// The air from `origin` (m; `origin.y` above sea level) to `distance` (m) along the unit `direction`; from `RAY_FAR`
+/// on all of it, and the planet's sunlit ground where the ray ends on that.
 fn atmosphere_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     let from_center = vec3f(origin.x, origin.y + sky.ground_radius, origin.z);
     let up = from_center / max(length(from_center), 1.0);
@@ -255,8 +264,8 @@ fn atmosphere_light(index: i32) -> AtmosphereLight {
 #endif
 }
 
-/// Irradiance of a surface that faces the light that throws the shadows: what the air lets through of it, and of its disc
-/// what stands above the horizon.
+/// Irradiance of a surface that faces the light that throws the shadows: what the air lets through of it, and of its
+/// disc what stands above the horizon.
 fn atmosphere_sunlight(position: vec3f) -> vec3f {
     let height = max(atmosphere_height(position), 0.0);
     let r = sky.ground_radius + height;
@@ -307,8 +316,8 @@ fn atmosphere_seen(way: AtmosphereWay, up: vec3f, direction: vec3f, to_light: ve
     let nu = dot(direction, to_light);
     let normal = cross(direction, to_light);
     let light_mu = clamp(dot(up, to_light), -1.0, 1.0);
-    let lit = atmosphere_lit(way, light_mu, nu, dot(normal, normal), dot(up, direction - nu * to_light));
     let left = exp(-medium_extinction(air_path_between(atmosphere_shells(), way.start, way.length)));
+    let lit = atmosphere_lit(way, left, light_mu, nu, dot(normal, normal), dot(up, direction - nu * to_light));
     if !way.grounded {
         return SkyAir(lit.from_light, lit.from_sky, left);
     }

@@ -42,23 +42,23 @@ fn planar_depth(y: f32, climb: f32, distance: f32) -> vec3f {
     return medium_extinction(vec3f(path, 0.0));
 }
 
-// The cosine that stands for `light_mu` in slant paths, > 0. A flat world's night would fall with the sun's centre; this one
-// dims as if its ground were curved.
+// The cosine that stands for `light_mu` in slant paths, > 0. A flat world's night would fall with the sun's centre;
+// this one dims as if its ground were curved.
 fn planar_slant(light_mu: f32) -> f32 {
     let curved = 2.546 * sky.rayleigh_height / sky.ground_radius; // Chapman's at the horizon
     return max(0.5 * (light_mu + sqrt(light_mu * light_mu + curved)), 1e-3);
 }
 
-// Part of the light from `light_mu`, the cosine of its zenith angle, that reaches height `y`. Ozone takes its part here and
-// nowhere else: over the low sun's long way it keeps the zenith blue.
+// Part of the light from `light_mu`, the cosine of its zenith angle, that reaches height `y`. Ozone takes its part here
+// and nowhere else: over the low sun's long way it keeps the zenith blue.
 fn planar_transmittance(y: f32, light_mu: f32) -> vec3f {
     let above = clamp(0.5 + 0.5 * (sky.ozone_center - y) / sky.ozone_half_width, 0.0, 1.0);
     let path = vec3f(planar_column(y), sky.ozone_half_width * above);
     return exp(-medium_extinction(path / planar_slant(light_mu)));
 }
 
-// Irradiance of level ground by the sky, for a light of irradiance 1: two streams through air that hides nothing (Eddington),
-// the direct light taken off, and what ground and air throw back and forth.
+// Irradiance of level ground by the sky, for a light of irradiance 1: two streams through air that hides nothing
+// (Eddington), the direct light taken off, and what ground and air throw back and forth.
 fn planar_from_sky(light_mu: f32) -> vec3f {
     let mu = planar_slant(light_mu);
     let column = planar_column(0.0);
@@ -73,8 +73,8 @@ fn planar_from_sky(light_mu: f32) -> vec3f {
     return planar.diffuse * mu * absorbed * ozone * max(all - direct, vec3f(0.0));
 }
 
-/// The air from `origin` (m) to `distance` (m) along the unit `direction`; from `RAY_FAR` on all of it, and the sunlit plane
-/// at height 0 where the ray ends on that.
+/// The air from `origin` (m) to `distance` (m) along the unit `direction`; from `RAY_FAR` on all of it, and the sunlit
+/// plane at height 0 where the ray ends on that.
 fn planar_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     let endless = distance >= RAY_FAR;
     let low = select(-PLANAR_BELOW, 0.0, endless);
@@ -106,7 +106,7 @@ fn planar_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     var from_sun = vec3f(0.0);
     var from_sky = vec3f(0.0);
     for (var i = 0; i < SKY_NODES; i++) {
-        let node = sky_node(i, from_end);
+        let node = sky_node(i, SKY_NODES, from_end);
         let y = start + climb * way * node.x;
         let density = planar_density(y);
         let seen = way * node.y * exp(-planar_depth(start, climb, way * node.x));

@@ -17,8 +17,8 @@
 #include <sky/planar.wgsl>
 #endif
 
-/// The air from `origin` (m; `origin.y` above sea level) to `distance` (m) along the unit `direction`; from `RAY_FAR` on
-/// all of it.
+/// The air from `origin` (m; `origin.y` above sea level) to `distance` (m) along the unit `direction`; from `RAY_FAR`
+/// on all of it.
 fn sky_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
 #if sky.model == gradient
     return gradient_air(origin, direction, distance);
@@ -35,7 +35,8 @@ fn sky_radiance(origin: vec3f, direction: vec3f) -> vec3f {
     return air.from_sun + air.from_sky;
 }
 
-/// `radiance` as it is seen from `origin`, `distance` (m) away: dimmed by the air and veiled by the light that it scatters.
+/// `radiance` as it is seen from `origin`, `distance` (m) away: dimmed by the air and veiled by the light that it
+/// scatters.
 fn sky_veil(radiance: vec3f, origin: vec3f, direction: vec3f, distance: f32) -> vec3f {
     return sky_through(sky_air(origin, direction, distance), radiance);
 }
