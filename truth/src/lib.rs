@@ -4,8 +4,8 @@
 //! Inputs are the `f32` values that the GPU gets, widened: what is measured is the error of the arithmetic, not of the
 //! input. Hashes are the same integers on both sides.
 
-pub mod blackbody;
 pub mod atmosphere;
+pub mod blackbody;
 pub mod erosion;
 pub mod fractal;
 pub mod geometry;
