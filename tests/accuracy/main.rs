@@ -22,6 +22,7 @@ mod noise;
 mod noise_cells;
 mod noise_flow;
 mod noise_ranges;
+mod sky_orders;
 mod terrain;
 mod trees;
 mod water;

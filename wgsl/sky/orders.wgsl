@@ -1,11 +1,12 @@
 // Light that the air scatters more than once, without a table: a two-stream field, mended to what path tracing shows.
 //
-// The field is Eddington's for conservative scattering over a grey ground, in closed form: aerosols count by the part that
-// they do not send forward, ozone dims the sun above it all, and a low sun, or one below the horizon, shines down a column as
-// many times thicker as its way through curved air is longer than a vertical one. Against the mean radiance of traced paths
-// (Earth, from sea level to 60 km, suns to 15° under the horizon) that much alone errs by up to 60 % by day; the numbers in
-// `orders_field` and `orders_source` are a least squares fit of the sky's whole radiance over 2,300 rays under 20 suns,
-// weighted toward the worst. They depend on optical depth, sun and height alone, so they follow the parameters of the air.
+// The field is Eddington's for conservative scattering over a grey ground, in closed form: aerosols count by the part
+// that they do not send forward, ozone dims the sun above it all, and a low sun, or one below the horizon, shines down
+// a column as many times thicker as its way through curved air is longer than a vertical one. Against the mean radiance
+// of traced paths (Earth, sea level to 60 km) that much alone is right within a factor of two as long as the sun is up;
+// the numbers in `orders_field` and `orders_source` are a least squares fit of the sky's whole radiance over 2,300 rays
+// under 20 suns, weighted toward the worst. They depend on optical depth, sun and height alone, so they follow the
+// parameters of the air.
 
 #include <sky/medium.wgsl>
 
@@ -50,19 +51,19 @@ fn orders_two_stream(height: f32, sun_mu: f32) -> OrdersField {
     let air_mass = orders_air_mass((sky.ground_radius + h) / sky.rayleigh_height, sun_mu);
     let mu = 1.0 / air_mass;
     let here = exp(-above * air_mass);
-    let ground = exp(-column * air_mass);
+    let at_ground = exp(-column * air_mass);
     let ozone = 1e-6 * sky.ozone_half_width * sky.ozone_absorption;
-    let sun = exp(-2.0 * ozone / (sun_mu + sqrt(sun_mu * sun_mu + 0.031)));
+    let past_ozone = exp(-2.0 * ozone / (sun_mu + sqrt(sun_mu * sun_mu + 0.016)));
     // Net flux, the same at all heights, from what comes down at the top and goes up at the ground; then the mean.
     let dark = 1.0 - sky.ground_albedo;
     let mirror = 0.5 * (1.0 + sky.ground_albedo);
-    let lit = 0.25 * dark * mu * (2.0 + 3.0 * mu * (1.0 - ground)) + 0.5 * dark * mu * ground;
+    let lit = 0.25 * dark * mu * (2.0 + 3.0 * mu * (1.0 - at_ground)) + 0.5 * dark * mu * at_ground;
     let net = lit / (0.25 * dark * (2.0 + 3.0 * column) + mirror);
     let scalar = 2.0 * (mu - net) - 3.0 * net * above + 3.0 * mu * mu * (1.0 - here);
     var field: OrdersField;
-    field.mean = max(scalar, vec3f(0.0)) * sun / 12.566371;
-    field.down = (net - mu * here) * sun;
-    field.sun = here * sun;
+    field.mean = max(scalar, vec3f(0.0)) * past_ozone / 12.566371;
+    field.down = (net - mu * here) * past_ozone;
+    field.sun = here * past_ozone;
     field.air_mass = air_mass;
     field.density = density;
     field.w = max(sun_mu / (abs(sun_mu) + 0.15), -0.62);
@@ -74,54 +75,59 @@ fn orders_two_stream(height: f32, sun_mu: f32) -> OrdersField {
 fn orders_field(field: OrdersField) -> vec3f {
     let w = field.w;
     let thick = field.density.x;
-    var c = vec2f(10.8799, 4.8881);
-    c = w * c + vec2f(-31.0277, -0.9271) + thick * vec2f(15.2003, -2.3773);
-    c = w * c + vec2f(21.4682, -5.9668) + thick * vec2f(-19.2484, -1.1573);
-    c = w * c + vec2f(2.5978, 0.6804) + thick * vec2f(1.64, 5.0491);
-    c = w * c + vec2f(-4.3312, 0.839) + thick * (vec2f(-0.0653, 2.6009) + thick * vec2f(2.8598, -2.4595));
-    c = w * c + vec2f(-0.5931, 0.6964) + thick * (vec2f(2.7258, -2.3377) + thick * vec2f(-1.904, 0.9487));
-    c = w * c + vec2f(0.5092, 0.1263) + thick * (vec2f(0.2738, -1.3835) + thick * vec2f(-0.7173, 1.1913));
+    var c = vec2f(5.3545, -0.6954);
+    c = w * c + vec2f(-13.5216, 4.301) + thick * vec2f(7.7096, 2.1597);
+    c = w * c + vec2f(9.222, -5.4584) + thick * vec2f(-11.7752, -5.5033);
+    c = w * c + vec2f(-0.2766, 0.9608) + thick * vec2f(3.427, 3.8569);
+    c = w * c + vec2f(-0.8533, 0.6854) + thick * (vec2f(-0.7128, 0.9543) + thick * vec2f(1.4853, -0.0892));
+    c = w * c + vec2f(-0.6884, 0.0963) + thick * (vec2f(1.9935, -0.3203) + thick * vec2f(-1.4004, -0.6269));
+    c = w * c + vec2f(0.5268, 0.0663) + thick * (vec2f(-0.2705, -0.5888) + thick * vec2f(-0.0004, 0.1943));
     return exp(clamp(c.x + c.y * field.x, vec3f(-2.0), vec3f(3.5)));
 }
 
+/// Sunlight that aerosols have sent forward, and that the two-stream field still counts as the sun's own.
+fn orders_sent_forward(field: OrdersField) -> vec3f {
+    let hazy = 1e-6 * sky.mie_height * sky.mie_scattering * field.density.y * field.air_mass;
+    return field.sun * (1.0 - exp(-abs(sky.mie_asymmetry) * hazy));
+}
+
 /// Radiance scattered per metre (1/m) toward the eye by the air at `height` (m above sea level), out of light that was
-/// scattered, or thrown back by the ground, at least once before; sun irradiance 1. `sun_mu` and `view_mu` are cosines of the
-/// zenith angles of the sun and of the direction in which the eye looks, there; `cos_theta` that of the angle between them.
-/// At least 0, finite.
+/// scattered, or thrown back by the ground, at least once before; sun irradiance 1. `sun_mu` and `view_mu` are cosines
+/// of the zenith angles of the sun and of the direction in which the eye looks, there; `cos_theta` that of the angle
+/// between them. At least 0, finite.
 fn orders_source(height: f32, sun_mu: f32, view_mu: f32, cos_theta: f32) -> vec3f {
     let field = orders_two_stream(height, sun_mu);
     let mean = orders_field(field) * field.mean;
     // Molecules: nearly all ways alike, somewhat more along the horizon, which is the brightest.
     let level = 1.0 - 3.0 * view_mu * view_mu;
-    let molecules = 1.0 + (0.035 + 0.008 * field.x) * level;
-    // Aerosols see what is ahead: the horizon, the brighter half of up and down, the glow after sunset, and sunlight that
-    // aerosols have sent forward before, in a lobe of twice the width.
+    let molecules = 1.0 + (0.0337 + 0.0023 * field.x) * level;
+    // Aerosols see what is ahead: the horizon, the brighter half of up and down, the glow after sunset, and sunlight
+    // that aerosols have sent forward before, in a lobe of twice the width.
     let tilt = clamp(3.0 * field.down / max(12.566371 * field.mean, vec3f(1e-30)), vec3f(-1.5), vec3f(1.5));
     let g = sky.mie_asymmetry * sky.mie_asymmetry;
     let lobe = (1.0 - g * g) / pow(1.0 + g * g - 2.0 * g * clamp(cos_theta, -1.0, 1.0), 1.5);
     let horizon = 0.3 / (0.3 + abs(view_mu));
     let night = (1.0 - field.w) * (1.0 - field.w);
-    let ahead = 0.7453 + 0.7281 * tilt * view_mu + 0.7758 * horizon - 1.0044 * field.x
-        + (0.2317 - 0.2572 * field.x) * night * (lobe - 1.0);
-    let hazy = 1e-6 * sky.mie_height * sky.mie_scattering * field.density.y * field.air_mass;
-    let sent = field.sun * (1.0 - exp(-abs(sky.mie_asymmetry) * hazy)) * lobe / 12.566371;
-    let aerosols = mean * max(ahead, vec3f(0.0)) + exp(-0.8087 + 0.1593 * field.x) * sent;
-    return 1e-6 * (field.density.x * sky.rayleigh_scattering * mean * molecules
+    let ahead = 0.0875 + 0.3791 * tilt * view_mu + (0.9527 + 0.4691 * field.x) * horizon
+        + (0.1513 - 0.1636 * field.x) * night * (lobe - 1.0);
+    let sent = orders_sent_forward(field) / 12.566371;
+    let aerosols = mean * max(ahead, vec3f(0.0)) + exp(-0.5216 + 0.3034 * field.x) * lobe * sent;
+    return 1e-6 * (field.density.x * sky.rayleigh_scattering * (mean * molecules + sent)
         + field.density.y * sky.mie_scattering * aerosols);
 }
 
-/// Irradiance of a level surface at `height` (m above sea level) by the whole sky above it, first order included, without the
-/// sun itself; sun irradiance 1. At least 0, finite.
+/// Irradiance of a level surface at `height` (m above sea level) by the whole sky above it, first order included,
+/// without the sun itself; sun irradiance 1. At least 0, finite.
 fn orders_irradiance(height: f32, sun_mu: f32) -> vec3f {
     let field = orders_two_stream(height, sun_mu);
-    let half = 3.1415927 * field.mean + 0.5 * field.down;
+    let half = 3.1415927 * field.mean + 0.5 * field.down + max(sun_mu, 0.0) * orders_sent_forward(field);
     let w = field.w;
     let thick = field.density.x;
-    let even = 0.2964 + w * (-0.0184 + w * (-3.4275 + w * (6.9674 + w * -3.9765)));
-    let low = -0.0369 + w * (-0.1748 + w * 0.3413);
-    let thicker = -0.1946 + w * (0.0089 + w * (1.3289 + w * (-1.5216 + w * 0.4084)));
-    let low_thicker = -0.0747 + w * -0.0441;
+    let even = 0.2208 + w * (-0.0148 + w * (-2.3921 + w * (4.8936 + w * -2.7729)));
+    let low = -0.0552 + w * (-0.2602 + w * 0.3754);
+    let thicker = 0.137 + w * (-0.3933 + w * (-0.0425 + w * (1.4438 + w * -1.197)));
+    let low_thicker = -0.0689 + w * 0.0219;
     let edge = 0.0036 / (0.0036 + sun_mu * sun_mu);
-    let part = even + thick * low - 0.4293 * edge + (thicker + thick * low_thicker + 0.2467 * edge) * field.x;
+    let part = even + thick * low - 0.276 * edge + (thicker + thick * low_thicker - 0.1123 * edge) * field.x;
     return max(half, vec3f(0.0)) * exp(clamp(part, vec3f(-2.0), vec3f(0.5)));
 }
