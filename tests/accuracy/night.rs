@@ -143,7 +143,7 @@ fn the_moon_is_as_light_as_its_phase() {
         let truth = moon::phase_angle([moon_azimuth, moon_elevation], [sun_azimuth, sun_elevation]);
         off = off.max((found - truth).abs());
     }
-    report.at_most("`moon_phase_angle` off f64 (rad)", off, 2e-6);
+    report.at_most("`moon_phase_angle` off f64 (rad)", off, 5e-6);
     report.finish();
 }
 
@@ -370,7 +370,7 @@ fn twilight_falls_as_the_naval_observatory_has_it() {
     });
     report.at_most("`daylight_illuminance` off f64, of it", greatest(off), 1e-4);
     let falls = greatest(found.windows(2).map(|pair| pair[0] / pair[1] - 1.0));
-    report.at_most("`daylight_illuminance`: greatest fall as the sun rises, of it", falls, 0.011);
+    report.at_most("`daylight_illuminance`: greatest fall as the sun rises, of it", falls, 0.01);
     // Bond & Henderson 1963, "The conjunction of the sun, moon and sky": at the ends of civil, nautical and astronomical
     // twilight, and of day.
     for (degrees, lux, tolerance) in

@@ -18,5 +18,5 @@ fn dither_255(encoded: vec3f, pixel: vec2f, frame_number: u32) -> vec3f {
     let triangular = sign(even) * (1.0 - sqrt(1.0 - 2.0 * abs(even)));
     let steps = saturate(encoded) * 255.0;
     let to_end = min(steps, 255.0 - steps);
-    return encoded + select(triangular, even, to_end < vec3f(0.5)) / 255.0;
+    return encoded + select(triangular, 0.999 * even, to_end < vec3f(0.5)) / 255.0;
 }

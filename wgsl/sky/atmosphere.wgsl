@@ -252,7 +252,7 @@ const ATMOSPHERE_LIGHTS: i32 = 2;
 const ATMOSPHERE_LIGHTS: i32 = 1;
 #endif
 
-// Light number `index`: the sun, then the moon if it shines.
+/// Light number `index`: the sun, then the moon if it shines.
 fn atmosphere_light(index: i32) -> AtmosphereLight {
 #if moon.shines
     if index == 1 {
@@ -297,7 +297,7 @@ fn atmosphere_height(position: vec3f) -> f32 {
     return gained / (length(from_center) + sky.ground_radius);
 }
 
-// Cosine of the zenith angle, at `position`, of a light in the direction `to_light`.
+/// Cosine of the zenith angle, at `position`, of a light in the direction `to_light`.
 fn atmosphere_mu(position: vec3f, to_light: vec3f) -> f32 {
     let from_center = vec3f(position.x, position.y + sky.ground_radius, position.z);
     return clamp(dot(from_center / max(length(from_center), 1.0), to_light), -1.0, 1.0);

@@ -14,8 +14,8 @@
 
 /// Radiance of the moon in the unit `direction`, linear sRGB; 0 beside it.
 ///
-/// The disc gives `moon_light` in all. Where a pixel is wider than the disc's radius the disc is drawn larger, and as much
-/// darker.
+/// The disc gives `moon_light` in all, give or take a sixth as its phase shows more or fewer seas. Where a pixel is wider
+/// than the disc's radius the disc is drawn larger, and as much darker.
 fn moon_disc(direction: vec3f) -> vec3f {
     let to_moon = moon_direction();
     let pixel = camera_pixel_angle();

@@ -69,7 +69,7 @@ fn star_in(cell: vec2f, face: u32, layer: i32) -> Star {
 
 /// Radiance of the stars in the unit `direction`, linear sRGB.
 ///
-/// Each is a normal distribution .6 pixels wide (its standard deviation), so that its light is the same to half a percent
+/// Each is a normal distribution .6 pixels wide (its standard deviation), so that its light is the same to one percent
 /// wherever it stands between the pixels' centres. Numbers follow the real count of 10^(.51 m + .64) stars up to
 /// magnitude m, temperatures go from 3,500 to 14,000 K. In pictures so coarse that a pixel covers more than .3° (.09° for
 /// stars fainter than 6.5) they are cut narrower than that and may twinkle.
