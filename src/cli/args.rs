@@ -13,14 +13,16 @@ Examples:
   orogen render alpine --projection cube --faces -o sky.png             sky_px.png, sky_nx.png, …
 A preset may ask for it itself: \"camera\": { \"projection\": \"cube\" }; so may an export, with --set.
 
-A skybox has six square faces, +X -X +Y -Y +Z -Z from the top: the layers of a cube texture in the order that they have in
-memory. Cube textures are left-handed: +X is east (our +x), +Z is north (our -z), and all faces are upright as seen from
-the inside. Ask the texture for vec3(d.x, d.y, -d.z).
-  Bevy      image.reinterpret_stacked_2d_as_array(6), a view of dimension Cube, then Skybox { image, .. }: as it is
-  three.js  new CubeTextureLoader().load([\"sky_px.png\", \"sky_nx.png\", \"sky_py.png\", \"sky_ny.png\", \"sky_pz.png\",
-            \"sky_nz.png\"]) and scene.backgroundRotation.y = Math.PI, so that north is its -z; or a panorama with --set
-            camera.azimuth=90 and EquirectangularReflectionMapping: as it is
-The middle of a panorama is toward camera.azimuth, and its horizon is level. A skybox is never turned.";
+A skybox has six square faces, +X -X +Y -Y +Z -Z from the top: the layers of a cube texture as
+they lie in memory, each upright as seen from the inside. Cube textures are left-handed: +X is
+east, our +x, but +Z is north, our -z. In a shader of yours, ask for vec3(d.x, d.y, -d.z).
+  Bevy      image.reinterpret_stacked_2d_as_array(6), a texture view of dimension Cube, and
+            Skybox { image, .. } shows it the right way round
+  three.js  new CubeTextureLoader().load([\"sky_px.png\", \"sky_nx.png\", \"sky_py.png\", \"sky_ny.png\",
+            \"sky_pz.png\", \"sky_nz.png\"]), and scene.backgroundRotation.y = Math.PI;
+            a panorama with --set camera.azimuth=90 and EquirectangularReflectionMapping
+            needs no turning
+The middle of a panorama is toward camera.azimuth, its horizon level. A skybox is never turned.";
 
 const EXAMPLES: &str = "\
 Examples:

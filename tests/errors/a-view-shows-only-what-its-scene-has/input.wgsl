@@ -1,4 +1,4 @@
-#include "frame.wgsl"
+#include <frame.wgsl>
 
 /// How bright.
 #param sky.zenith: f32 = 0.3
