@@ -7,7 +7,7 @@
 #slot above: fn(p: vec3f, footprint: f32) -> f32
 
 /// How a march over a globe trades speed for misses: step = `shortest` + `growth` · distance + `relax` · height above ground.
-struct GlobeSteps {
+struct Steps {
     /// Shortest step (m).
     shortest: f32,
     /// By how much steps grow with distance, as a part of it.
@@ -30,7 +30,7 @@ struct GlobeSteps {
 /// that starts below the ceiling its first look; a ray that starts below the ground ends at once. Running out of steps counts
 /// as meeting the ground. A crest that lies between two steps is missed: tested, not proven. The crossing is sought by regula
 /// falsi (Illinois), which has nearly a digit a try where the ground is even.
-fn march(origin: vec3f, direction: vec3f, radius: f32, ceiling: f32, far: f32, how: GlobeSteps) -> MarchHit {
+fn march(origin: vec3f, direction: vec3f, radius: f32, ceiling: f32, far: f32, how: Steps) -> MarchHit {
     let within = globe_span(origin, direction, radius, ceiling);
     if within.y <= 0.0 || within.x > within.y {
         return MarchHit(far, false, 0, 0);
