@@ -12,9 +12,9 @@
 /// How high the hills beside the chains are, as a part of `planet.peak_height`.
 #param planet.hills: f32 = 0.10, range 0 .. 1
 
-const CONTINENT_OCTAVES: i32 = 6;
-const CONTINENT_GAIN: f32 = 0.56;
-const CONTINENT_DEVIATION: f32 = 0.366; // of their sum: 0.304 sqrt(1 + gain² + …)
+const CONTINENT_OCTAVES: i32 = 9;
+const CONTINENT_GAIN: f32 = 0.58;
+const CONTINENT_DEVIATION: f32 = 0.373; // of their sum: 0.304 sqrt(1 + gain² + …)
 const RIDGE_COARSEST: i32 = 4; // octaves below the largest forms
 const RIDGE_MEAN: f32 = 0.56; // of (1 - sqrt(n² + 0.004))²
 // One list of noises for all parts, so that software GPUs, which copy what is called, copy one noise:

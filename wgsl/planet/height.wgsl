@@ -21,7 +21,7 @@
 /// How high the largest forms are, above or below the mean.
 #param planet.swell: f32 = 1500.0, range 0 .. 20000, unit m
 /// How far the map is bent before it is read, as a part of the width of its largest forms: folded coasts.
-#param planet.bend: f32 = 0.22, range 0 .. 1
+#param planet.bend: f32 = 0.15, range 0 .. 1
 /// Strength of an octave over that of the next coarser one: the roughness of the mountains.
 #param planet.gain: f32 = 0.52, range 0.2 .. 0.8
 /// How narrow the blend between the map's three planes is.

@@ -14,7 +14,7 @@
 /// Optical thickness of the thickest clouds.
 #param weather.thickness: f32 = 30.0, range 0 .. 200
 /// Width of the largest fields of clouds, as a part of the planet's radius.
-#param weather.scale: f32 = 0.42, range 0.02 .. 2
+#param weather.scale: f32 = 0.30, range 0.02 .. 2
 /// How far the wind has swept them, as a part of that width.
 #param weather.sweep: f32 = 0.16, range 0 .. 1
 /// How often a cyclone has turned its middle.
@@ -24,7 +24,7 @@
 
 const WEATHER_CYCLONES: u32 = 14u;
 const WEATHER_FORWARD: f32 = 0.85; // mean cosine of the angle that droplets scatter by
-const WEATHER_OCTAVES: f32 = 9.0;
+const WEATHER_OCTAVES: f32 = 10.0;
 
 /// How thick the clouds are above the unit `direction` from the planet's centre, in the planet's own axes: 0 clear .. 1. A
 /// pixel covers `footprint` (rad) of it. Three noises and up to nine octaves.
@@ -50,7 +50,7 @@ fn weather_at(direction: vec3f, footprint: f32) -> f32 {
     let octaves = min(WEATHER_OCTAVES, log2(weather.scale / max(2.0 * footprint, 1e-6)));
     // Longer from west to east than from north to south.
     let drawn = vec3f(swept.x, 1.5 * swept.y, swept.z);
-    let fields = weather_fbm3(drawn, weather.seed + 3u, max(octaves, 1.0), 0.58, 2.03).x;
+    let fields = weather_fbm3(drawn, weather.seed + 3u, max(octaves, 1.0), 0.6, 2.03).x;
     // Wet along the equator and in the westerlies, dry between and at the poles.
     let climate = 0.22 * cos(6.0 * asin(clamp(direction.y, -1.0, 1.0))) - 0.25 * direction.y * direction.y;
     let threshold = 0.55 - 1.1 * weather.cover;
@@ -69,10 +69,8 @@ fn weather_depth(cover: f32) -> f32 {
     return weather.thickness * cover * cover;
 }
 
-/// Part of the sunlight that gets through clouds of optical thickness `depth`, scattered or not, from a sun of which
-/// `sun_mu` is the cosine of the zenith angle: 0 .. 1 (Eddington's two streams); what does not is thrown back.
-fn weather_transmittance(depth: f32, sun_mu: f32) -> f32 {
-    let mu = max(sun_mu, 0.05);
-    let passed = 0.66666667 + mu + (0.66666667 - mu) * exp(-depth / mu);
-    return passed / (1.3333333 + (1.0 - WEATHER_FORWARD) * depth);
+/// Part of the light that gets through clouds of optical thickness `depth`, scattered or not: 0 .. 1 (Eddington's two
+/// streams, light from all sides); what does not is thrown back.
+fn weather_transmittance(depth: f32) -> f32 {
+    return 1.0 / (1.0 + 0.75 * (1.0 - WEATHER_FORWARD) * depth);
 }

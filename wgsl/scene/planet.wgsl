@@ -73,20 +73,29 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
     far = select(RAY_FAR, sea.x, afloat && sea.x > 0.0 && sea.x <= sea.y);
 #endif
     let land = globe_march(origin, direction, sky.ground_radius, planet_ceiling(), far, steps);
-    let wet = !land.hit && far < RAY_FAR;
-    let ends = land.hit || wet;
-    let way = select(select(RAY_FAR, far, wet), land.distance, land.hit);
+    var way = select(far, land.distance, land.hit);
+    var ends = land.hit;
+    var wet = false;
+#if planet.water
+    // The march ends within half a pixel of the ground: where that is near the sea's surface, the depth there decides.
+    let slack = 0.5 * pixel * way;
+    let near_sea = far < RAY_FAR && (!land.hit || planet_altitude(origin + way * direction) < water.level + slack);
+    way = select(way, far, near_sea);
+    ends = ends || near_sea;
+#endif
 
     // The ground there, or the bed of the sea.
     let end = origin + select(0.0, way, ends) * direction;
-    let footprint = pixel * way;
+    let footprint = pixel * select(0.0, way, ends);
     let up = planet_up(end);
     var albedo = vec3f(0.0);
     var normal = up;
     var sun_seen = 1.0;
-    var depth = 0.0;
     var steepness = 0.0;
+#if planet.water
+    var depth = 0.0;
     var frozen = 0.0;
+#endif
     let to_key = key_direction();
     if ends {
         let ground = planet_ground(end, footprint);
@@ -96,7 +105,8 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         normal = planet_normal(up, ground.slope);
 #if planet.water
         frozen = cover.frozen;
-        depth = select(0.0, max(water.level - ground.height, 0.0), wet);
+        depth = water.level - ground.height;
+        wet = near_sea && depth > 0.0;
         if wet {
             normal = up;
         }
@@ -181,7 +191,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         if i == PLANET_GROUND && ends {
             var sunlight = day.sun * sun_seen;
 #if planet.weather
-            let over = weather_transmittance(weather_depth(thick.z), local_sun.y);
+            let over = weather_transmittance(weather_depth(thick.z));
             sunlight *= over;
 #endif
             lit = outdoor_radiance(albedo, normal * compass, local_sun, sunlight, day.sky, 1.0, 1.0, albedo);
@@ -202,14 +212,13 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 #if planet.weather
         if i == PLANET_CLOUDS {
             let tau = weather_depth(thick.x);
-            let between = weather_transmittance(2.0 * weather_depth(thick.y), local_sun.y);
-            let through = weather_transmittance(tau, local_sun.y);
-            let returned = select(1.0 - through, through, inside);
-            let irradiance = day.sun * max(local_sun.y, 0.0) * mix(0.55, 1.0, between) + day.sky;
+            let between = weather_transmittance(2.0 * weather_depth(thick.y));
+            let through = weather_transmittance(tau);
+            let irradiance = day.sun * max(local_sun.y, 0.0) * mix(0.5, 1.0, between) + day.sky;
             // Seen flat, a thin cloud hides more.
-            cloud_opacity = 1.0 - exp(-0.35 * tau / max(abs(dot(direction, here)), 0.15));
-            lit = returned * irradiance / 3.14159265 / max(cloud_opacity, 1e-3);
-            lit = min(lit, irradiance / 3.14159265);
+            cloud_opacity = 1.0 - weather_transmittance(tau / max(abs(dot(direction, here)), 0.15));
+            let returned = select((1.0 - through) / max(cloud_opacity, 1e-4), through, inside);
+            lit = min(returned, 1.0) * irradiance / 3.14159265;
         }
 #endif
         let behind = select(lit, sky_beyond(toward), i == PLANET_GROUND && !ends);
