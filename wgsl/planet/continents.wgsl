@@ -15,7 +15,7 @@
 const CONTINENT_OCTAVES: i32 = 9;
 const CONTINENT_GAIN: f32 = 0.58;
 const CONTINENT_DEVIATION: f32 = 0.373; // of their sum: 0.304 sqrt(1 + gain² + …)
-const RIDGE_COARSEST: i32 = 4; // octaves below the largest forms
+const RIDGE_COARSEST: i32 = 7; // octaves below the largest forms
 const RIDGE_MEAN: f32 = 0.56; // of (1 - sqrt(n² + 0.004))²
 // One list of noises for all parts, so that software GPUs, which copy what is called, copy one noise:
 // two that bend, two of the chains, the continents, then ridges until what is left is too small.
@@ -33,7 +33,7 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
     var bent_y = vec3f(0.0);
     var land = vec3f(0.0); // value, slope per grain
     var chain = vec3f(0.0);
-    var ridges = vec3f(0.0);
+    var ridges = vec3f(RIDGE_MEAN, 0.0, 0.0);
     var rough = vec3f(1.0, 0.0, 0.0); // ridges grow on ridges
     var strength = 1.0;
     for (var i = 0; i < CONTINENT_TURNS; i++) {
@@ -73,9 +73,8 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
             let crest = 1.0 - round;
             let ridge = vec3f(crest * crest, -2.0 * crest * n.x / round * per_grain * n.yz);
             let grown = vec3f(rough.x * ridge.x, rough.x * ridge.yz + ridge.x * rough.yz);
-            // Centred but for the first: leaving one out does not sink the land.
-            let mean = select(RIDGE_MEAN, 0.0, i == CONTINENT_RIDGES);
-            ridges += strength * presence * (grown - mean * rough);
+            // Centred: leaving one out does not sink the land.
+            ridges += strength * presence * (grown - RIDGE_MEAN * rough);
             strength *= planet.gain;
             rough = select(1.8 * grown, vec3f(1.0, 0.0, 0.0), 1.8 * grown.x >= 1.0);
         }
@@ -83,7 +82,7 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
             strength = 1.0;
         }
     }
-    ridges *= 1.0 - planet.gain; // 0 .. 1
+    ridges *= 1.0 - planet.gain; // about 0 .. 1
 
     // From the sum of the continents' octaves to height: the shelf's edge, the shore, the land.
     let shore = CONTINENT_DEVIATION * normal_quantile(planet.ocean);

@@ -59,7 +59,7 @@ fn planet_mottle(p: vec3f, footprint: f32) -> vec3f {
     let top = i32(log2(COVER_COARSEST / unit));
     let finest = max(log2(2.0 * footprint / unit), 0.0);
     var sum = vec3f(0.0);
-    var strength = vec3f(1.0, 0.6, 1.0);
+    var strength = vec3f(0.8, 0.6, 0.8);
     for (var i = 0; i < COVER_TURNS; i++) {
         // Each a third or a quarter as wide as the one before: 7 wide ones, of two kinds by turns, then fine ones.
         let level = top - select(6 + 2 * (i - 6), i, i < 6);
@@ -74,10 +74,10 @@ fn planet_mottle(p: vec3f, footprint: f32) -> vec3f {
             strength.y *= 0.8;
         } else if (i & 1) == 0 {
             sum.x += strength.x * n;
-            strength.x *= 0.6;
+            strength.x *= 0.8;
         } else {
             sum.z += strength.z * n;
-            strength.z *= 0.6;
+            strength.z *= 0.8;
         }
     }
     return sum;
