@@ -20,6 +20,7 @@ mod noise;
 mod noise_cells;
 mod noise_flow;
 mod noise_ranges;
+mod planet;
 mod terrain;
 mod trees;
 mod water;

@@ -12,6 +12,7 @@ pub mod light;
 pub mod march;
 pub mod noise;
 pub mod oklab;
+pub mod planet;
 pub mod points;
 pub mod spectrum;
 pub mod trees;

@@ -28,7 +28,8 @@ const CONTINENT_TURNS: i32 = CONTINENT_RIDGES + 24;
 /// octaves below level `finest`, which may be fractional.
 fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
     let top = i32(planet.octaves);
-    var place = Precise(cell, fraction);
+    let straight = Precise(cell, fraction);
+    var place = straight;
     var bent_x = vec3f(0.0);
     var bent_y = vec3f(0.0);
     var land = vec3f(0.0); // value, slope per grain
@@ -52,6 +53,9 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
             }
             continue;
         }
+        if i == CONTINENT_RIDGES {
+            place = straight; // a bend is thousands of kilometres long, and would blur what is a metre wide
+        }
         let scaled = precise_coarser(place, u32(level));
         let shift = f32(i) * vec2f(7.31, 3.83);
         let n = perlin_noise2_at_grad(scaled.cell.xy, scaled.fraction.xy + shift, planet.seed + u32(i));
@@ -61,7 +65,7 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
             bent_x = planet.bend * exp2(f32(top)) * noise;
         } else if i == 1 {
             bent_y = planet.bend * exp2(f32(top)) * noise;
-            place = precise_moved(place, vec3f(bent_x.x, bent_y.x, 0.0));
+            place = precise_moved(straight, vec3f(bent_x.x, bent_y.x, 0.0));
         } else if i < CONTINENT_FIRST {
             chain += select(1.0, 0.45, i > CONTINENT_CHAINS) * noise;
         } else if i < CONTINENT_RIDGES {
@@ -101,10 +105,11 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
     let reach_slope = inland.y * share * land.yz + inland.x * (1.0 - planet.hills) * inside_slope;
     let peak = 1.5 * planet.peak_height;
     height += peak * reach * ridges.x;
-    slope += peak * (reach * ridges.yz + ridges.x * reach_slope);
+    slope += peak * ridges.x * reach_slope;
 
     // Back through the bend: the transposed Jacobian.
-    return vec3f(height, slope + slope.x * bent_x.yz + slope.y * bent_y.yz);
+    slope += slope.x * bent_x.yz + slope.y * bent_y.yz;
+    return vec3f(height, slope + peak * reach * ridges.yz);
 }
 
 /// (smoothstep from `low` to `high`, its derivative).

@@ -20,7 +20,8 @@ const CRATER_SCALES: i32 = 9; // each a quarter of the one before
 /// forms below level `finest`, which may be fractional.
 fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
     let top = i32(planet.octaves);
-    var place = Precise(cell, fraction);
+    let straight = Precise(cell, fraction);
+    var place = straight;
     var bent_x = vec3f(0.0);
     var bent_y = vec3f(0.0);
     var land = vec3f(0.0); // value, slope per grain
@@ -32,6 +33,9 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
         if level < 0 || presence <= 0.0 {
             break;
         }
+        if i == CRATER_ROUGH {
+            place = straight; // a bend is thousands of kilometres long, and would blur what is a metre wide
+        }
         let scaled = precise_coarser(place, u32(level));
         let shift = f32(i) * vec2f(7.31, 3.83);
         let n = perlin_noise2_at_grad(scaled.cell.xy, scaled.fraction.xy + shift, planet.seed + u32(i));
@@ -41,7 +45,7 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
             bent_x = planet.bend * exp2(f32(top)) * noise;
         } else if i == 1 {
             bent_y = planet.bend * exp2(f32(top)) * noise;
-            place = precise_moved(place, vec3f(bent_x.x, bent_y.x, 0.0));
+            place = precise_moved(straight, vec3f(bent_x.x, bent_y.x, 0.0));
         } else if i < CRATER_ROUGH {
             land += strength * noise;
             strength = select(CRATER_GAIN * strength, 1.0, i + 1 == CRATER_ROUGH);
@@ -56,10 +60,10 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
     var slope = planet.swell * (0.5 + 1.2 * step.y) * land.yz;
     let rough = planet.peak_height * (1.0 - planet.gain) * (0.25 + 0.75 * step.x);
     height += rough * ridges.x;
-    slope += rough * ridges.yz
-        + 0.75 * planet.peak_height * (1.0 - planet.gain) * ridges.x * step.y * land.yz;
+    slope += 0.75 * planet.peak_height * (1.0 - planet.gain) * ridges.x * step.y * land.yz;
+    slope += slope.x * bent_x.yz + slope.y * bent_y.yz; // back through the bend: the transposed Jacobian
     let struck = crater_sum(cell, fraction, finest);
-    return vec3f(height + struck.x, slope + slope.x * bent_x.yz + slope.y * bent_y.yz + struck.yz);
+    return vec3f(height + struck.x, slope + rough * ridges.yz + struck.yz);
 }
 
 /// All craters: (height in m, slope per grain). Four places for each size.

@@ -15,7 +15,7 @@
 #param planet.scale: f32 = 6000000.0, range 1000 .. 100000000, log, unit m
 /// How often the width of the forms is halved: the finest are `planet.scale` / 2^`planet.octaves` wide. Those too small to
 /// see in a pixel are left out.
-#param planet.octaves: u32 = 22, range 4 .. 26
+#param planet.octaves: u32 = 22, range 4 .. 24
 /// Height of the highest mountains above sea level, near enough.
 #param planet.peak_height: f32 = 8000.0, range 0 .. 50000, unit m
 /// How high the largest forms are, above or below the mean.
