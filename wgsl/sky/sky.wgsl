@@ -1,16 +1,32 @@
-// The sky of a scene: the model of air behind the functions that all scenes use.
+// The sky of a scene: one of three models of air behind the same functions.
 
 #include <geometry/ray.wgsl>
 #include <light/daylight.wgsl>
 #include <sky/air.wgsl>
 #include <sky/beyond.wgsl>
-#include <sky/gradient.wgsl>
 #include <sun/key.wgsl>
+
+/// What the air is made of: two painted colours, or the scattering of a planet's air, or of a flat world's.
+#option sky.model = gradient { gradient, atmosphere, planar }
+
+#if sky.model == gradient
+#include <sky/gradient.wgsl>
+#elif sky.model == atmosphere
+#include <sky/atmosphere.wgsl>
+#else
+#include <sky/planar.wgsl>
+#endif
 
 /// The air from `origin` (m; `origin.y` above sea level) to `distance` (m) along the unit `direction`; from `RAY_FAR` on
 /// all of it.
 fn sky_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
+#if sky.model == gradient
     return gradient_air(origin, direction, distance);
+#elif sky.model == atmosphere
+    return atmosphere_air(origin, direction, distance);
+#else
+    return planar_air(origin, direction, distance);
+#endif
 }
 
 /// Radiance of the sky seen from `origin`: all that the air scatters, without what shines behind it.
@@ -27,5 +43,11 @@ fn sky_veil(radiance: vec3f, origin: vec3f, direction: vec3f, distance: f32) -> 
 /// The light that falls on things at `position` (m).
 fn sky_daylight(position: vec3f) -> Daylight {
     let to_sun = key_direction();
+#if sky.model == gradient
     return Daylight(to_sun, key_radius(), key_light(), gradient_irradiance());
+#elif sky.model == atmosphere
+    return Daylight(to_sun, key_radius(), atmosphere_sunlight(position), atmosphere_irradiance(position));
+#else
+    return Daylight(to_sun, key_radius(), planar_sunlight(position), planar_irradiance(position));
+#endif
 }

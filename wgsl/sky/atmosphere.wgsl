@@ -1,0 +1,275 @@
+// A planet's air: molecules, aerosols and ozone around a sphere, seen from the ground up to far out in space.
+
+#include <geometry/ray.wgsl>
+#include <light/optical_depth.wgsl>
+#include <light/phase.wgsl>
+#include <sky/air.wgsl>
+#include <sky/medium.wgsl>
+#include <sky/nodes.wgsl>
+#include <sky/orders.wgsl>
+#include <sun/key.wgsl>
+
+/// Whether light counts that was scattered more than once or thrown back by the ground.
+#option sky.multiple_scattering = true
+
+// Land may lie this far below sea level (m) and still be seen through air; deeper down it does not get thicker.
+const ATMOSPHERE_BELOW: f32 = 1000.0;
+
+fn atmosphere_shells() -> AirShells {
+    let heights = vec2f(sky.rayleigh_height, sky.mie_height);
+    return AirShells(sky.ground_radius, heights, sky.ozone_center, sky.ozone_half_width);
+}
+
+/// Part of the light that comes through from the top of the air, 0 .. 1; 0 where the planet is in the way. In closed form.
+///
+/// `height`: m above the ground, `mu`: cosine of the zenith angle.
+fn atmosphere_transmittance(height: f32, mu: f32) -> vec3f {
+    let place = AirPlace(max(height, 0.0), mu);
+    if mu < 0.0 && air_perigee(place, sky.ground_radius) < 0.0 {
+        return vec3f(0.0);
+    }
+    return atmosphere_clear(place);
+}
+
+// As `atmosphere_transmittance`, the planet left out.
+fn atmosphere_clear(place: AirPlace) -> vec3f {
+    let shells = atmosphere_shells();
+    return exp(-medium_extinction(air_path_to_infinity(shells, place, air_densities(shells, place.height))));
+}
+
+/// The part of a ray that lies in the air, and what there is to know of it.
+struct AtmosphereWay {
+    /// Where it enters the air: the eye, where that is in it.
+    start: AirPlace,
+    /// Distance from the eye to there (m).
+    entry: f32,
+    /// From there to its end (m); 0 where it misses the air.
+    length: f32,
+    /// Height of the lowest point of the whole line (m).
+    perigee: f32,
+    /// Whether it goes on to the planet's ground, and ends there.
+    grounded: bool,
+}
+
+// The way through the air from `eye` to `distance` (m) on. What is farther than `RAY_FAR` ends on the planet; nearer things
+// may lie below sea level, as deep as `ATMOSPHERE_BELOW`.
+fn atmosphere_way(eye: AirPlace, distance: f32) -> AtmosphereWay {
+    let endless = distance >= RAY_FAR;
+    let low = select(-min(ATMOSPHERE_BELOW, 0.1 * sky.ground_radius), 0.0, endless);
+    let radius = sky.ground_radius;
+    let place = AirPlace(max(eye.height, low), eye.mu);
+    let r = radius + place.height;
+    let perigee = air_perigee(place, radius);
+    if place.height > sky.air_height && (eye.mu >= 0.0 || perigee >= sky.air_height) {
+        return AtmosphereWay(place, 0.0, 0.0, perigee, false);
+    }
+    // Distances along the line, by Pythagoras from its lowest point, as products so that nothing is lost.
+    let top = sky.air_height;
+    let half_top = sqrt(max((top - perigee) * (2.0 * radius + top + perigee), 0.0));
+    let half_low = sqrt(max((low - perigee) * (2.0 * radius + low + perigee), 0.0));
+    let down = eye.mu < 0.0 && perigee < low;
+    if place.height > top {
+        let entry = max(-r * eye.mu - half_top, 0.0);
+        let chord = select(2.0 * half_top, (top - low) * (2.0 * radius + top + low) / (half_top + half_low), down);
+        let mu = clamp(-half_top / (radius + top), -1.0, 0.0);
+        let length = clamp(distance - entry, 0.0, chord);
+        return AtmosphereWay(AirPlace(top, mu), entry, length, perigee, down && endless);
+    }
+    let from_foot = r * eye.mu;
+    var chord = half_top - from_foot;
+    if eye.mu >= 0.0 {
+        chord = (top - place.height) * (2.0 * radius + top + place.height) / max(half_top + from_foot, 1.0);
+    } else if down {
+        chord = (place.height - low) * (2.0 * radius + place.height + low) / max(half_low - from_foot, 1.0);
+    }
+    return AtmosphereWay(place, 0.0, min(distance, max(chord, 0.0)), perigee, down && endless);
+}
+
+/// What a way through the air adds to and leaves of what is behind it, for a distant light of irradiance 1.
+struct AtmosphereLit {
+    /// Scattered once.
+    from_light: vec3f,
+    /// All else.
+    from_sky: vec3f,
+}
+
+// The part of a way that lies in the planet's shadow, as distances from its start: `near` >= `far` where none does.
+//
+// `light_mu`: cosine of the light's zenith angle at the start; `nu`: cosine between way and light, `sine2` its sine
+// squared; `aside`: dot of the vertical at the start with the part of the way's direction that is across to the light.
+fn atmosphere_shadow(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> RaySpan {
+    let r = sky.ground_radius + way.start.height;
+    let along = r * light_mu;
+    let a = max(sine2, 1e-12);
+    let b = r * aside;
+    let c = way.start.height * (2.0 * sky.ground_radius + way.start.height) - along * along;
+    let discriminant = b * b - a * c;
+    if discriminant <= 0.0 {
+        return ray_missed();
+    }
+    // Where the line is within the cylinder of the shadow.
+    let q = -(b + select(-1.0, 1.0, b >= 0.0) * sqrt(discriminant));
+    let first = q / a;
+    let second = c / select(q, 1e-6, q == 0.0);
+    var near = min(first, second);
+    var far = max(first, second);
+    // And on the far side of the planet.
+    if abs(nu) > 1e-6 {
+        let middle = -along / nu;
+        near = select(max(near, middle), near, nu > 0.0);
+        far = select(far, min(far, middle), nu > 0.0);
+    } else if light_mu >= 0.0 {
+        return ray_missed();
+    }
+    return RaySpan(clamp(near, 0.0, way.length), clamp(far, 0.0, way.length));
+}
+
+// The light scattered to the eye along `way`.
+//
+// The integral is broken where the planet's shadow begins and ends and at the lowest point; each part has its own nodes,
+// which crowd where the air is dense.
+fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> AtmosphereLit {
+    var lit = AtmosphereLit(vec3f(0.0), vec3f(0.0));
+    let shells = atmosphere_shells();
+    let radius = sky.ground_radius;
+    let r = radius + way.start.height;
+    let falls = way.start.mu < 0.0;
+    let before = air_path_rising(
+        shells,
+        AirPlace(way.start.height, abs(way.start.mu)),
+        air_densities(shells, way.start.height),
+    );
+    let foot = clamp(-r * way.start.mu, 0.0, way.length);
+    var beyond = before; // of the whole line from the start, had it no end
+    if falls && foot < way.length {
+        beyond = 2.0 * air_path_from_perigee(shells, way.perigee) - before;
+    }
+    let shadow = atmosphere_shadow(way, light_mu, nu, sine2, aside);
+    let dark = shadow.near < shadow.far;
+    let dusk = select(way.length, shadow.near, dark);
+    let dawn = select(way.length, shadow.far, dark);
+    let edges = vec4f(min(foot, dusk), max(min(foot, dawn), dusk), max(foot, dawn), way.length);
+
+    let rayleigh = 1e-6 * phase_rayleigh(nu) * sky.rayleigh_scattering;
+    let mie = 1e-6 * phase_cornette_shanks(nu, sky.mie_asymmetry) * sky.mie_scattering;
+    var begin = 0.0;
+    for (var part = 0; part < 4; part++) {
+        let end = edges[part];
+        let length = end - begin;
+        let middle = 0.5 * (begin + end);
+        let shaded = dark && middle > dusk && middle < dawn;
+#if sky.multiple_scattering
+        let idle = length <= 0.0;
+#else
+        let idle = length <= 0.0 || shaded;
+#endif
+        if !idle {
+            let drop = air_place_after(way.start, begin, radius).height - air_place_after(way.start, end, radius).height;
+            let from_end = smoothstep(1.0, 4.0, drop / sky.rayleigh_height);
+            for (var i = 0; i < SKY_NODES; i++) {
+                let node = sky_node(i, from_end);
+                let t = begin + length * node.x;
+                let weight = length * node.y;
+
+                let place = air_place_after(way.start, t, radius);
+                let densities = air_densities(shells, place.height);
+                let after = air_path_rising(shells, AirPlace(place.height, abs(place.mu)), densities);
+                let path = max(select(beyond - after, after - before, falls && t < foot), vec3f(0.0));
+                let seen = weight * exp(-medium_extinction(path));
+                let place_mu = clamp((r * light_mu + t * nu) / (radius + place.height), -1.0, 1.0);
+                if !shaded {
+                    let from_light = air_path_to_infinity(shells, AirPlace(place.height, place_mu), densities);
+                    let sunlit = exp(-medium_extinction(from_light));
+                    lit.from_light += seen * sunlit * (densities.x * rayleigh + densities.y * mie);
+                }
+#if sky.multiple_scattering
+                lit.from_sky += seen * orders_source(place.height, place_mu, nu);
+#endif
+            }
+        }
+        begin = end;
+    }
+    return lit;
+}
+
+/// Radiance of the sky for a sun of irradiance 1: all orders and the sunlit ground, or with `sky.multiple_scattering` off
+/// single scattering by the air alone.
+///
+/// `height`: m above the ground. `view`, `to_sun`: unit vectors to what is seen and to the sun, y up at that place.
+fn atmosphere_radiance(height: f32, view: vec3f, to_sun: vec3f) -> vec3f {
+    let way = atmosphere_way(AirPlace(height, clamp(view.y, -1.0, 1.0)), RAY_FAR);
+    let air = atmosphere_seen(way, atmosphere_entry_up(way, height, vec3f(0.0, 1.0, 0.0), view), view, to_sun);
+    return air.from_sun + air.from_sky;
+}
+
+/// The air from `origin` (m; `origin.y` above sea level) to `distance` (m) along the unit `direction`; from `RAY_FAR` on
+/// all of it, and the planet's sunlit ground where the ray ends on that.
+fn atmosphere_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
+    let from_center = vec3f(origin.x, origin.y + sky.ground_radius, origin.z);
+    let up = from_center / max(length(from_center), 1.0);
+    let height = atmosphere_height(origin);
+    let way = atmosphere_way(AirPlace(height, clamp(dot(up, direction), -1.0, 1.0)), distance);
+    let air = atmosphere_seen(way, atmosphere_entry_up(way, height, up, direction), direction, sun_direction());
+    return SkyAir(sun_light() * air.from_sun, sun_light() * air.from_sky, air.transmittance);
+}
+
+/// Irradiance of a surface that faces the light that throws the shadows: what the air lets through of it, and of its disc
+/// what stands above the horizon.
+fn atmosphere_sunlight(position: vec3f) -> vec3f {
+    let height = max(atmosphere_height(position), 0.0);
+    let r = sky.ground_radius + height;
+    let mu = atmosphere_key_mu(position);
+    let horizon = -sqrt(height * (2.0 * sky.ground_radius + height)) / r;
+    let risen = asin(mu) - asin(horizon);
+    let seen = smoothstep(-key_radius(), key_radius(), risen);
+    if seen <= 0.0 {
+        return vec3f(0.0);
+    }
+    return seen * key_light() * atmosphere_clear(AirPlace(height, max(mu, horizon)));
+}
+
+/// Irradiance of level ground at `position` (m) by the whole sky, without the light that throws the shadows.
+fn atmosphere_irradiance(position: vec3f) -> vec3f {
+    return key_light() * orders_irradiance(max(atmosphere_height(position), 0.0), atmosphere_key_mu(position));
+}
+
+/// Height (m) of `position` above the planet, without cancellation.
+fn atmosphere_height(position: vec3f) -> f32 {
+    let from_center = vec3f(position.x, position.y + sky.ground_radius, position.z);
+    let gained = position.y * (position.y + 2.0 * sky.ground_radius) + dot(position.xz, position.xz);
+    return gained / (length(from_center) + sky.ground_radius);
+}
+
+// Cosine of the zenith angle, at `position`, of the light that throws the shadows.
+fn atmosphere_key_mu(position: vec3f) -> f32 {
+    let from_center = vec3f(position.x, position.y + sky.ground_radius, position.z);
+    return clamp(dot(from_center / max(length(from_center), 1.0), key_direction()), -1.0, 1.0);
+}
+
+// The vertical where `way` enters the air, from that at the eye, `height` (m) up.
+fn atmosphere_entry_up(way: AtmosphereWay, height: f32, up: vec3f, direction: vec3f) -> vec3f {
+    return normalize(up + way.entry / (sky.ground_radius + max(height, 0.0)) * direction);
+}
+
+// The air along `way`, with `up` the vertical where it enters the air, for a distant light of irradiance 1.
+fn atmosphere_seen(way: AtmosphereWay, up: vec3f, direction: vec3f, to_light: vec3f) -> SkyAir {
+    if way.length <= 0.0 && !way.grounded {
+        return SkyAir(vec3f(0.0), vec3f(0.0), vec3f(1.0));
+    }
+    let nu = dot(direction, to_light);
+    let normal = cross(direction, to_light);
+    let light_mu = clamp(dot(up, to_light), -1.0, 1.0);
+    let lit = atmosphere_lit(way, light_mu, nu, dot(normal, normal), dot(up, direction - nu * to_light));
+    let left = exp(-medium_extinction(air_path_between(atmosphere_shells(), way.start, way.length)));
+    if !way.grounded {
+        return SkyAir(lit.from_light, lit.from_sky, left);
+    }
+    var from_ground = vec3f(0.0);
+#if sky.multiple_scattering
+    let r = sky.ground_radius + way.start.height;
+    let ground_mu = clamp((r * light_mu + way.length * nu) / sky.ground_radius, -1.0, 1.0);
+    let direct = max(ground_mu, 0.0) * atmosphere_transmittance(0.0, ground_mu);
+    from_ground = left * sky.ground_albedo / 3.14159265 * (direct + orders_irradiance(0.0, ground_mu));
+#endif
+    return SkyAir(lit.from_light, lit.from_sky + from_ground, vec3f(0.0));
+}
