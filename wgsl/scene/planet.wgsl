@@ -22,6 +22,13 @@
 /// Whether mountains throw shadows.
 #option planet.shadows = true
 
+/// Whether trees stand around the world's origin, where `trees.*` say so. They stand on land: `terrain.relief` must be
+/// `planet` then.
+#option planet.trees = false
+
+#if planet.trees
+#include <trees/trees.wgsl>
+#endif
 #if planet.water
 #include <water/level.wgsl>
 #include <water/shade.wgsl>
@@ -84,6 +91,15 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
     ends = ends || near_sea;
 #endif
 
+#if planet.trees
+    let tree = trees_trace(origin, direction, 0.0, select(trees.far, way, ends));
+    let leafy = tree.hit;
+    way = select(way, tree.distance, leafy);
+    ends = ends || leafy;
+#else
+    let leafy = false;
+#endif
+
     // The ground there, or the bed of the sea.
     let end = origin + select(0.0, way, ends) * direction;
     let footprint = pixel * select(0.0, way, ends);
@@ -106,7 +122,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 #if planet.water
         frozen = cover.frozen;
         depth = water.level - ground.height;
-        wet = near_sea && depth > 0.0;
+        wet = near_sea && depth > 0.0 && !leafy;
         if wet {
             normal = up;
         }
@@ -142,13 +158,19 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 #endif
 
 #if planet.shadows
-    if ends && dot(up, to_key) > -0.1 && dot(normal, to_key) > 0.0 {
+    if ends && dot(up, to_key) > -0.1 && (leafy || dot(normal, to_key) > 0.0) {
         let start = max(footprint, 1.0);
         let start_at = end + 0.5 * start * normal;
         let reach = min(planet_ceiling() / max(dot(up, to_key), 0.04), 200000.0);
         if reach > start {
             sun_seen = globe_shadow(start_at, to_key, max(key_radius(), 0.004), start, reach, footprint, SHADOW_LOOKS);
         }
+    }
+#endif
+
+#if planet.trees
+    if ends && sun_seen > 0.0 && way < trees.far {
+        sun_seen *= trees_shadow(end, footprint, Daylight(to_key, key_radius(), vec3f(1.0), vec3f(0.0)));
     }
 #endif
 
@@ -195,6 +217,12 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             sunlight *= over;
 #endif
             lit = outdoor_radiance(albedo, normal * compass, local_sun, sunlight, day.sky, 1.0, 1.0, albedo);
+#if planet.trees
+            let under_sun = Daylight(day.to_sun, day.radius, sunlight, day.sky);
+            if leafy {
+                lit = trees_shade(origin, direction, tree, under_sun, 1.0);
+            }
+#endif
 #if planet.water
             if wet {
                 let local_day = Daylight(local_sun, day.radius, sunlight, day.sky);
