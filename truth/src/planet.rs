@@ -173,7 +173,7 @@ impl Planet {
     fn craters(&self, q: [f64; 2], finest: f64, share: f64, fresh: f64, coarsest: u32) -> f64 {
         let grain = self.scale / f64::from(1_u32 << self.octaves);
         let mut sum = 0.0;
-        for size in 0..9 {
+        for size in 0..7 {
             let level = self.octaves as i32 - coarsest as i32 - 2 * size;
             let presence = (f64::from(level) - 1.0 - finest).clamp(0.0, 1.0);
             if level < 0 || presence <= 0.0 {

@@ -14,7 +14,7 @@ const CRATER_FORMS: i32 = 5; // octaves of the large forms, after two that bend
 const CRATER_GAIN: f32 = 0.5;
 const CRATER_ROUGH: i32 = 2 + CRATER_FORMS;
 const CRATER_TURNS: i32 = CRATER_ROUGH + 24;
-const CRATER_SCALES: i32 = 9; // each a quarter of the one before
+const CRATER_SCALES: i32 = 7; // each a quarter of the one before
 
 /// (height in m, its slope per grain) at the place `cell` + `fraction` (grains) of the map's plane, x and y of them; no
 /// forms below level `finest`, which may be fractional.

@@ -18,7 +18,7 @@
 /// Temperature at sea level on the equator.
 #param planet.equator: f32 = 28.0, range -100 .. 100
 /// How much colder the poles are.
-#param planet.cooling: f32 = 50.0, range 0 .. 200
+#param planet.cooling: f32 = 44.0, range 0 .. 200
 /// How much of the land is dry: -1 none, 1 all.
 #param planet.dryness: f32 = 0.0, range -1 .. 1
 /// Albedo of forests in the tropics.

@@ -51,11 +51,11 @@ fn weather_at(direction: vec3f, footprint: f32) -> f32 {
     // Longer from west to east than from north to south; what is small has formed since, and is not drawn out.
     let drawn = vec3f(swept.x, 1.5 * swept.y, swept.z);
     let fields = weather_fbm3(drawn, weather.seed + 3u, clamp(octaves, 1.0, 4.0), 0.6, 2.03).x;
-    let flecks = weather_fbm3(17.0 * direction / weather.scale, weather.seed + 5u, octaves - 4.0, 0.65, 2.03).x;
+    let flecks = weather_fbm3(17.0 * direction / weather.scale, weather.seed + 5u, octaves - 4.0, 0.76, 2.03).x;
     // Wet along the equator and in the westerlies, dry between and at the poles.
     let climate = 0.22 * cos(6.0 * asin(clamp(direction.y, -1.0, 1.0))) - 0.25 * direction.y * direction.y;
     let threshold = 0.55 - 1.1 * weather.cover;
-    let thick = clamp((fields + 0.24 * flecks + climate - threshold) / 0.9, 0.0, 1.0);
+    let thick = clamp((fields + 0.28 * flecks + climate - threshold) / 0.75, 0.0, 1.0);
     return thick * thick * (3.0 - 2.0 * thick);
 }
 

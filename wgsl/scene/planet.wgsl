@@ -83,10 +83,11 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
     var way = select(far, land.distance, land.hit);
     var ends = land.hit;
     var wet = false;
+    var near_sea = false;
 #if planet.water
     // The march ends within half a pixel of the ground: where that is near the sea's surface, the depth there decides.
     let slack = 0.5 * pixel * way;
-    let near_sea = far < RAY_FAR && (!land.hit || planet_altitude(origin + way * direction) < water.level + slack);
+    near_sea = far < RAY_FAR && (!land.hit || planet_altitude(origin + way * direction) < water.level + slack);
     way = select(way, far, near_sea);
     ends = ends || near_sea;
 #endif
@@ -101,7 +102,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 #endif
 
     // The ground there, or the bed of the sea.
-    let end = origin + select(0.0, way, ends) * direction;
+    var end = origin + select(0.0, way, ends) * direction;
     let footprint = pixel * select(0.0, way, ends);
     let up = planet_up(end);
     var albedo = vec3f(0.0);
@@ -116,6 +117,12 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
     if ends {
         let ground = planet_ground(end, footprint);
         steepness = length(ground.slope);
+        if land.hit && !near_sea && !leafy {
+            // Half a pixel may be higher than all of the air: the rest of the way down.
+            way += (planet_altitude(end) - ground.height) / max(-dot(direction, up), 0.25);
+            way = max(way, 0.0);
+            end = origin + way * direction;
+        }
         let cover = planet_cover_at(end, up, ground.height, steepness, footprint);
         albedo = cover.albedo;
         normal = planet_normal(up, ground.slope);
