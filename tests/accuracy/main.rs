@@ -10,6 +10,7 @@
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]
 
+mod atmosphere;
 mod colour;
 mod fractal;
 mod geometry;

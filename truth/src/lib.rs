@@ -4,6 +4,7 @@
 //! Inputs are the `f32` values that the GPU gets, widened: what is measured is the error of the arithmetic, not of the
 //! input. Hashes are the same integers on both sides.
 
+pub mod atmosphere;
 pub mod erosion;
 pub mod fractal;
 pub mod geometry;
@@ -12,6 +13,7 @@ pub mod light;
 pub mod march;
 pub mod noise;
 pub mod oklab;
+pub mod orders;
 pub mod planet;
 pub mod points;
 pub mod spectrum;

@@ -127,8 +127,9 @@ fn atmosphere_shadow(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, asi
 // The light scattered to the eye along `way`.
 //
 // The integral is broken where the planet's shadow begins and ends and at the lowest point; each part has its own nodes,
-// which crowd where the air is dense.
-fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> AtmosphereLit {
+// which crowd where the air is dense. `left` is what comes through of light behind: where that is much and the way keeps to
+// its height, few nodes do.
+fn atmosphere_lit(way: AtmosphereWay, left: vec3f, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> AtmosphereLit {
     var lit = AtmosphereLit(vec3f(0.0), vec3f(0.0));
     let shells = atmosphere_shells();
     let radius = sky.ground_radius;
@@ -144,6 +145,10 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
     if falls && foot < way.length {
         beyond = 2.0 * air_path_from_perigee(shells, way.perigee) - before;
     }
+    let rise = abs(air_place_after(way.start, way.length, radius).height - way.start.height);
+    let clear = min(left.x, min(left.y, left.z)) > 0.37 && rise < 3.0 * min(sky.mie_height, sky.rayleigh_height);
+    let count = select(SKY_NODES, SKY_NODES_NEAR, clear);
+
     let shadow = atmosphere_shadow(way, light_mu, nu, sine2, aside);
     let dark = shadow.near < shadow.far;
     let dusk = select(way.length, shadow.near, dark);
@@ -166,8 +171,8 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
         if !idle {
             let drop = air_place_after(way.start, begin, radius).height - air_place_after(way.start, end, radius).height;
             let from_end = smoothstep(1.0, 4.0, drop / sky.rayleigh_height);
-            for (var i = 0; i < SKY_NODES; i++) {
-                let node = sky_node(i, from_end);
+            for (var i = 0; i < count; i++) {
+                let node = sky_node(i, count, from_end);
                 let t = begin + length * node.x;
                 let weight = length * node.y;
 
@@ -183,7 +188,7 @@ fn atmosphere_lit(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside:
                     lit.from_light += seen * sunlit * (densities.x * rayleigh + densities.y * mie);
                 }
 #if sky.multiple_scattering
-                lit.from_sky += seen * orders_source(place.height, place_mu, nu);
+                lit.from_sky += seen * orders_source(place.height, place_mu, place.mu, nu);
 #endif
             }
         }
@@ -259,8 +264,8 @@ fn atmosphere_seen(way: AtmosphereWay, up: vec3f, direction: vec3f, to_light: ve
     let nu = dot(direction, to_light);
     let normal = cross(direction, to_light);
     let light_mu = clamp(dot(up, to_light), -1.0, 1.0);
-    let lit = atmosphere_lit(way, light_mu, nu, dot(normal, normal), dot(up, direction - nu * to_light));
     let left = exp(-medium_extinction(air_path_between(atmosphere_shells(), way.start, way.length)));
+    let lit = atmosphere_lit(way, left, light_mu, nu, dot(normal, normal), dot(up, direction - nu * to_light));
     if !way.grounded {
         return SkyAir(lit.from_light, lit.from_sky, left);
     }

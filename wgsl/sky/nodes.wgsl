@@ -53,15 +53,33 @@ fn sky_rule(i: i32) -> vec2f {
 }
 #endif
 
-/// Node `i` (0 .. `SKY_NODES` - 1) along a part of a ray, as a fraction of its length, and the weight of that node; the
-/// weights sum to 1.
+/// The nodes of a short and clear way, where 4 are as good as many: of up to 60 km through haze of optical depth 1.
+const SKY_NODES_NEAR: i32 = min(SKY_NODES, 4);
+
+// Half of a rule: its first nodes and their weights.
+fn sky_rule_near(i: i32) -> vec2f {
+#if sky.samples <= 4
+    return sky_rule(i);
+#else
+    return GAUSS_LEGENDRE_4[i];
+#endif
+}
+
+/// Node `i` (0 .. `count` - 1) along a part of a ray, as a fraction of its length, and the weight of that node; the weights
+/// sum to 1. `count` is `SKY_NODES` or `SKY_NODES_NEAR`.
 ///
 /// Gauss–Legendre in s, with the fraction s² (3 + s) / 4: the nodes crowd at the start, where the air is dense or not yet
 /// hidden by air before it; with `from_end` = 1 at the end. Over a clear sky from the ground, 8 nodes err by .4 % at most,
 /// where equal steps err by 22 %.
-fn sky_node(i: i32, from_end: f32) -> vec2f {
-    let late = 2 * i >= SKY_NODES;
-    let rule = sky_rule(select(i, SKY_NODES - 1 - i, late));
+fn sky_node(i: i32, count: i32, from_end: f32) -> vec2f {
+    let late = 2 * i >= count;
+    let half = select(i, count - 1 - i, late);
+    var rule: vec2f;
+    if count == SKY_NODES {
+        rule = sky_rule(half);
+    } else {
+        rule = sky_rule_near(half);
+    }
     let s = select(rule.x, 1.0 - rule.x, late);
     let u = 1.0 - s;
     let from_start = vec2f(0.25 * s * s * (3.0 + s), 0.75 * s * (2.0 + s));

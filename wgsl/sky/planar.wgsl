@@ -1,4 +1,4 @@
-// The air of an infinite flat world: no horizon curves away, no twilight follows the sun.
+// The air of an infinite flat world: no horizon curves away.
 
 #include <geometry/ray.wgsl>
 #include <light/phase.wgsl>
@@ -42,16 +42,25 @@ fn planar_depth(y: f32, climb: f32, distance: f32) -> vec3f {
     return medium_extinction(vec3f(path, 0.0));
 }
 
-// Part of the light from `light_mu`, the cosine of its zenith angle, that reaches height `y`.
+// The cosine that stands for `light_mu` in slant paths, > 0. A flat world's night would fall with the sun's centre; this one
+// dims as if its ground were curved.
+fn planar_slant(light_mu: f32) -> f32 {
+    let curved = 2.546 * sky.rayleigh_height / sky.ground_radius; // Chapman's at the horizon
+    return max(0.5 * (light_mu + sqrt(light_mu * light_mu + curved)), 1e-3);
+}
+
+// Part of the light from `light_mu`, the cosine of its zenith angle, that reaches height `y`. Ozone takes its part here and
+// nowhere else: over the low sun's long way it keeps the zenith blue.
 fn planar_transmittance(y: f32, light_mu: f32) -> vec3f {
-    let path = planar_column(y) / max(light_mu, 1e-3);
-    return select(vec3f(0.0), exp(-medium_extinction(vec3f(path, 0.0))), light_mu > 0.0);
+    let above = clamp(0.5 + 0.5 * (sky.ozone_center - y) / sky.ozone_half_width, 0.0, 1.0);
+    let path = vec3f(planar_column(y), sky.ozone_half_width * above);
+    return exp(-medium_extinction(path / planar_slant(light_mu)));
 }
 
 // Irradiance of level ground by the sky, for a light of irradiance 1: two streams through air that hides nothing (Eddington),
 // the direct light taken off, and what ground and air throw back and forth.
 fn planar_from_sky(light_mu: f32) -> vec3f {
-    let mu = max(light_mu, 1e-3);
+    let mu = planar_slant(light_mu);
     let column = planar_column(0.0);
     let mie = (1.0 - max(sky.mie_asymmetry, 0.0)) * sky.mie_scattering;
     let depth = 1e-6 * (column.x * sky.rayleigh_scattering + column.y * mie);
@@ -59,8 +68,9 @@ fn planar_from_sky(light_mu: f32) -> vec3f {
     let through = (2.0 / 3.0 + mu + (2.0 / 3.0 - mu) * direct) / (4.0 / 3.0 + depth);
     let back = depth / (4.0 / 3.0 + depth); // of light from below
     let all = through / (1.0 - sky.ground_albedo * back);
+    let ozone = exp(-1e-6 * sky.ozone_half_width * sky.ozone_absorption / mu);
     let absorbed = exp(-1e-6 * column.y * sky.mie_absorption / mu);
-    return planar.diffuse * max(light_mu, 0.0) * absorbed * max(all - direct, vec3f(0.0));
+    return planar.diffuse * mu * absorbed * ozone * max(all - direct, vec3f(0.0));
 }
 
 /// The air from `origin` (m) to `distance` (m) along the unit `direction`; from `RAY_FAR` on all of it, and the sunlit plane
@@ -96,7 +106,7 @@ fn planar_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
     var from_sun = vec3f(0.0);
     var from_sky = vec3f(0.0);
     for (var i = 0; i < SKY_NODES; i++) {
-        let node = sky_node(i, from_end);
+        let node = sky_node(i, SKY_NODES, from_end);
         let y = start + climb * way * node.x;
         let density = planar_density(y);
         let seen = way * node.y * exp(-planar_depth(start, climb, way * node.x));
@@ -115,7 +125,7 @@ fn planar_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
 fn planar_sunlight(position: vec3f) -> vec3f {
     let to_light = key_direction();
     let risen = smoothstep(-key_radius(), key_radius(), asin(clamp(to_light.y, -1.0, 1.0)));
-    return risen * key_light() * planar_transmittance(position.y, max(to_light.y, 1e-3));
+    return risen * key_light() * planar_transmittance(position.y, to_light.y);
 }
 
 /// Irradiance of level ground by the whole sky.
