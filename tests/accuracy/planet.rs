@@ -370,7 +370,7 @@ fn detail_a_metre_wide_is_smooth_at_earth_s_radius() {
     let cells = |i: &str| format!("perlin_noise2_at_grad(vec2i({i}, i32(y * 4096.0)), vec2f($x, 0.4), 7u).x");
     let near = second(&cells("i32(x * 1e4) & 1023"));
     let far = second(&cells("6371000 + (i32(x * 1e4) & 1023)"));
-    let plain = second("perlin_noise2(vec2f(6371000.0 + $x, floor(y * 4096.0) + 0.4), 7u)");
+    let plain = second("perlin_noise2(vec2f(6371000.0 + ($x), floor(y * 4096.0) + 0.4), 7u)");
     report.near("second difference of a noise 1 m wide, 6,371 km away over beside the origin", far / near, 1.0, 0.03);
     report.at_least("the same of f32 places, which is what cells are for", plain / near, 2.0);
     report.finish();
@@ -383,10 +383,11 @@ fn rays_meet_a_planet_s_ground_where_it_is() {
     for (name, planet, settings) in PLANETS {
         let (preset, truth) = turned(&planet, settings, 29.5, 2.0);
         let scope = Scope { fragment: FRAGMENT, preset: Some(&preset), ..Scope::default() };
-        for (from, up, steepest, shallowest, far, shortest) in [
-            ("2 m above the ground", 2.0, -0.6, 0.02, 20_000.0, 0.1),
-            ("10 km", 10_000.0, -1.2, -0.08, 200_000.0, 5.0),
-            ("400 km", 400_000.0, -1.5, -0.4, 3_000_000.0, 50.0),
+        // From a walker's eye rays graze crest after crest: the march leaves out some, and says so.
+        for (from, up, steepest, shallowest, far, shortest, missable, part) in [
+            ("2 m above the ground", 2.0, -0.6, -0.005, 20_000.0, 0.1, 4.0, 50),
+            ("10 km", 10_000.0, -1.2, -0.08, 200_000.0, 5.0, 1.0, 90),
+            ("400 km", 400_000.0, -1.5, -0.4, 3_000_000.0, 50.0, 1.0, 90),
         ] {
             let ground = truth.height([0.0; 3], 0.0);
             let rays: Vec<[f32; 6]> = (0..60)
@@ -398,7 +399,7 @@ fn rays_meet_a_planet_s_ground_where_it_is() {
                 .collect();
             let march = format!(
                 "globe_march(p, normalize(vec3f(dx, dy, dz)), sky.ground_radius, planet_ceiling(), {far:?}, \
-                 globe_Steps(0.2, 0.0005, 0.5, 400, 12, 1e-6))"
+                 globe_Steps(0.1, 0.001, 0.6, 140, 12, 1e-6))"
             );
             let columns = ["x", "y", "z", "dx", "dy", "dz"];
             let distance = values(&format!("({march}).distance"), &scope, columns, &rays);
@@ -420,8 +421,12 @@ fn rays_meet_a_planet_s_ground_where_it_is() {
             errors.sort_by(f64::total_cmp);
             let what = format!("{name}, from {from}");
             report.told(&format!("{what}: rays of 60 that meet the ground"), errors.len() as f64);
-            report.at_most(&format!("{what}: crossings missed, or found where there are none"), missed + phantom, 1.0);
-            report.at_most(&format!("{what}: 90 % of the errors, as a part of the distance"), errors[errors.len() * 90 / 100], 1e-4);
+            report.at_most(&format!("{what}: crossings missed, or found where there are none"), missed + phantom, missable);
+            report.at_most(
+                &format!("{what}: {part} % of the errors, as a part of the distance"),
+                errors[errors.len() * part / 100],
+                1e-4,
+            );
             report.told(&format!("{what}: most steps"), largest(steps.iter().map(|row| row[0])));
         }
     }
@@ -435,7 +440,7 @@ fn planets_are_as_wet_and_as_high_as_they_say() {
     // All over the globe: the place beneath a point far out, whatever its height.
     let points: Vec<[f32; 3]> = (0..4000)
         .map(|_| {
-            let up = random.within(-1.0, 1.0);
+            let up: f32 = random.within(-1.0, 1.0);
             let azimuth = random.within(0.0, std::f32::consts::TAU);
             let level = (1.0 - up * up).sqrt();
             [6.36e6 * level * azimuth.cos(), 6.36e6 * (up - 1.0), 6.36e6 * level * azimuth.sin()]

@@ -18,7 +18,7 @@
 /// Whether there is a sea.
 #option planet.water = true
 /// Whether there are clouds.
-#option planet.weather = true
+#option planet.clouds = true
 /// Whether mountains throw shadows.
 #option planet.shadows = true
 
@@ -33,8 +33,8 @@
 #include <water/level.wgsl>
 #include <water/shade.wgsl>
 #endif
-#if planet.weather
-#include <planet/weather.wgsl>
+#if planet.clouds
+#include <planet/clouds.wgsl>
 #endif
 
 /// What a ray sees.
@@ -136,12 +136,12 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 #endif
     }
 
-#if planet.weather
+#if planet.clouds
     // Clouds where the ray meets their shell, the clouds between there and the sun, and those over the ground.
-    let shell = globe_span(origin, direction, sky.ground_radius, weather.height);
-    let inside = planet_altitude(origin) < weather.height;
-    var cloud_way = select(shell.x, shell.y, inside);
-    let meets = shell.x <= shell.y && cloud_way > 0.0 && cloud_way < way;
+    let canopy = globe_span(origin, direction, sky.ground_radius, shell.height);
+    let inside = planet_altitude(origin) < shell.height;
+    var cloud_way = select(canopy.x, canopy.y, inside);
+    let meets = canopy.x <= canopy.y && cloud_way > 0.0 && cloud_way < way;
     cloud_way = select(0.0, cloud_way, meets);
     let cloud_at = origin + cloud_way * direction;
     let axes = planet_axes();
@@ -154,13 +154,13 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         } else if i == 2 {
             start_at = end;
             let climb = max(dot(up, to_key), 0.08);
-            ahead = (weather.height - planet_altitude(end)) / climb;
+            ahead = (shell.height - planet_altitude(end)) / climb;
         }
         if (i == 2 && !ends) || (i < 2 && !meets) || (i == 1 && thick.x <= 0.0) {
             continue;
         }
         let seen = pixel * select(cloud_way, way, i == 2) / sky.ground_radius;
-        thick[i] = weather_at(axes * planet_up(start_at + ahead * to_key), seen);
+        thick[i] = shell_at(axes * planet_up(start_at + ahead * to_key), seen);
     }
 #endif
 
@@ -191,7 +191,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         var toward = direction;
         var distance = way;
         var place = select(origin, end, ends);
-#if planet.weather
+#if planet.clouds
         if i == PLANET_CLOUDS {
             distance = cloud_way;
             place = cloud_at;
@@ -219,8 +219,8 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         var lit = vec3f(0.0);
         if i == PLANET_GROUND && ends {
             var sunlight = day.sun * sun_seen;
-#if planet.weather
-            let over = weather_transmittance(weather_depth(thick.z));
+#if planet.clouds
+            let over = shell_transmittance(shell_depth(thick.z));
             sunlight *= over;
 #endif
             lit = outdoor_radiance(albedo, normal * compass, local_sun, sunlight, day.sky, 1.0, 1.0, albedo);
@@ -244,14 +244,14 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             }
 #endif
         }
-#if planet.weather
+#if planet.clouds
         if i == PLANET_CLOUDS {
-            let tau = weather_depth(thick.x);
-            let between = weather_transmittance(2.0 * weather_depth(thick.y));
-            let through = weather_transmittance(tau);
+            let tau = shell_depth(thick.x);
+            let between = shell_transmittance(2.0 * shell_depth(thick.y));
+            let through = shell_transmittance(tau);
             let irradiance = day.sun * max(local_sun.y, 0.0) * mix(0.5, 1.0, between) + day.sky;
             // Seen flat, a thin cloud hides more.
-            cloud_opacity = 1.0 - weather_transmittance(tau / max(abs(dot(direction, here)), 0.15));
+            cloud_opacity = 1.0 - shell_transmittance(tau / max(abs(dot(direction, here)), 0.15));
             let returned = select((1.0 - through) / max(cloud_opacity, 1e-4), through, inside);
             lit = min(returned, 1.0) * irradiance / 3.14159265;
         }
