@@ -27,7 +27,7 @@ const SHELL_FORWARD: f32 = 0.85; // mean cosine of the angle that droplets scatt
 const SHELL_OCTAVES: f32 = 10.0;
 
 /// How thick the clouds are above the unit `direction` from the planet's centre, in the planet's own axes: 0 clear .. 1. A
-/// pixel covers `footprint` (rad) of it. Three noises and up to nine octaves.
+/// pixel covers `footprint` (rad) of it. Three noises and up to ten octaves.
 fn shell_at(direction: vec3f, footprint: f32) -> f32 {
     // Cyclones wind the map up, against the clock on the north, with it on the south.
     var q = direction;
@@ -50,12 +50,12 @@ fn shell_at(direction: vec3f, footprint: f32) -> f32 {
     let octaves = min(SHELL_OCTAVES, log2(shell.scale / max(2.0 * footprint, 1e-6)));
     // Longer from west to east than from north to south; what is small has formed since, and is not drawn out.
     let drawn = vec3f(swept.x, 1.5 * swept.y, swept.z);
-    let fields = shell_fbm3(drawn, shell.seed + 3u, clamp(octaves, 1.0, 4.0), 0.6, 2.03).x;
-    let flecks = shell_fbm3(17.0 * direction / shell.scale, shell.seed + 5u, octaves - 4.0, 0.76, 2.03).x;
+    let fields = shell_fbm3(drawn, shell.seed + 3u, clamp(octaves, 1.0, 5.0), 0.6, 2.03).x;
+    let flecks = shell_fbm3(35.0 * direction / shell.scale, shell.seed + 5u, octaves - 5.0, 0.76, 2.03).x;
     // Wet along the equator and in the westerlies, dry between and at the poles.
     let climate = 0.22 * cos(6.0 * asin(clamp(direction.y, -1.0, 1.0))) - 0.25 * direction.y * direction.y;
     let threshold = 0.55 - 1.1 * shell.cover;
-    let thick = clamp((fields + 0.28 * flecks + climate - threshold) / 0.75, 0.0, 1.0);
+    let thick = clamp((fields + 0.2 * flecks + climate - threshold) / 0.75, 0.0, 1.0);
     return thick * thick * (3.0 - 2.0 * thick);
 }
 

@@ -28,7 +28,7 @@
 /// Albedo of grassland.
 #param planet.grass: vec3f = (0.13, 0.115, 0.048), color
 /// Albedo of deserts.
-#param planet.desert: vec3f = (0.42, 0.30, 0.17), color
+#param planet.desert: vec3f = (0.37, 0.285, 0.175), color
 /// Albedo of cold ground without snow.
 #param planet.tundra: vec3f = (0.14, 0.12, 0.085), color
 #else
