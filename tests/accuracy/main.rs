@@ -25,6 +25,7 @@ mod noise_cells;
 mod noise_flow;
 mod noise_ranges;
 mod phase;
+mod planet;
 mod projection;
 mod sky_orders;
 mod terrain;

@@ -19,6 +19,7 @@ pub mod noise;
 pub mod oklab;
 pub mod orders;
 pub mod phase;
+pub mod planet;
 pub mod points;
 pub mod spectrum;
 pub mod trees;

@@ -27,6 +27,15 @@ fn perlin_noise2_grad(p: vec2f, seed: u32) -> vec3f {
     return perlin_blend2(cell_hash2(vec2i(lattice), seed), p - lattice);
 }
 
+/// `perlin_noise2_grad` at `cell` + `fraction`: as smooth a million cells from the origin as beside it.
+///
+/// `fraction` may leave 0 .. 1; what is whole of it is carried to the cell. Equal to `perlin_noise2_grad(p, seed)` bit
+/// for bit at `cell` = floor(p), `fraction` = fract(p).
+fn perlin_noise2_at_grad(cell: vec2i, fraction: vec2f, seed: u32) -> vec3f {
+    let carry = floor(fraction);
+    return perlin_blend2(cell_hash2(cell + vec2i(carry), seed), fraction - carry);
+}
+
 /// As `perlin_noise2_grad`, repeating every `period` cells along each axis; any period from 1 on.
 ///
 /// Cells are wrapped, not positions: p and p + period give the same bits.

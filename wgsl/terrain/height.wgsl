@@ -3,8 +3,8 @@
 #include <quality.wgsl>
 
 /// The forms of the land: rolling hills, mounds, ridged mountains, ranges worn in their valleys, hills smooth where they
-/// are steep, a sea of dunes, or terraced canyons.
-#option terrain.relief = ridged { fbm, billow, ridged, hybrid, damped, dunes, terraces }
+/// are steep, a sea of dunes, or terraced canyons; or the ground of a planet around the world's origin, by `planet.*`.
+#option terrain.relief = ridged { fbm, billow, ridged, hybrid, damped, dunes, terraces, planet }
 /// Which land of its kind: another seed, another land.
 #param terrain.seed: u32 = 1
 /// Width of the largest forms.
@@ -16,6 +16,8 @@
 #include <terrain/dunes.wgsl>
 #elif terrain.relief == terraces
 #include <terrain/terraces.wgsl>
+#elif terrain.relief == planet
+#include <planet/local.wgsl>
 #else
 #include <terrain/mountains.wgsl>
 #endif
@@ -43,6 +45,8 @@ fn terrain_height_grad_filtered(p: vec2f, footprint: f32) -> vec3f {
     return dunes_height_grad(p, octaves);
 #elif terrain.relief == terraces
     return terraces_height_grad(p, octaves);
+#elif terrain.relief == planet
+    return local_height_grad(p, footprint);
 #else
     return mountains_height_grad(p, octaves);
 #endif
@@ -54,6 +58,8 @@ fn terrain_ceiling() -> f32 {
     return dunes_ceiling();
 #elif terrain.relief == terraces
     return terraces_ceiling();
+#elif terrain.relief == planet
+    return local_ceiling();
 #else
     return mountains_ceiling();
 #endif

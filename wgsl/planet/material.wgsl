@@ -1,0 +1,121 @@
+// What covers a planet's ground: by latitude and height, with ragged borders.
+
+#include <math/precise.wgsl>
+#include <noise/perlin.wgsl>
+#include <planet/globe.wgsl>
+#include <planet/height.wgsl>
+
+/// What the ground is covered with: forests, deserts and snow, or dust and polar caps.
+#option planet.cover = biomes { biomes, dust }
+/// Albedo of bare rock.
+#param planet.rock: vec3f = (0.20, 0.17, 0.14), color
+/// Albedo of snow and ice.
+#param planet.snow: vec3f = (0.80, 0.83, 0.87), color
+/// Steepest slope that is not bare rock.
+#param planet.steepest: f32 = 34.0, range 0 .. 90, unit deg
+
+#if planet.cover == biomes
+/// Temperature at sea level on the equator.
+#param planet.equator: f32 = 28.0, range -100 .. 100
+/// How much colder the poles are.
+#param planet.cooling: f32 = 44.0, range 0 .. 200
+/// How much of the land is dry: -1 none, 1 all.
+#param planet.dryness: f32 = 0.0, range -1 .. 1
+/// Albedo of forests in the tropics.
+#param planet.jungle: vec3f = (0.022, 0.045, 0.016), color
+/// Albedo of forests of the north.
+#param planet.forest: vec3f = (0.030, 0.044, 0.022), color
+/// Albedo of grassland.
+#param planet.grass: vec3f = (0.13, 0.115, 0.048), color
+/// Albedo of deserts.
+#param planet.desert: vec3f = (0.37, 0.285, 0.175), color
+/// Albedo of cold ground without snow.
+#param planet.tundra: vec3f = (0.14, 0.12, 0.085), color
+#else
+/// Albedo of dust.
+#param planet.dust: vec3f = (0.32, 0.16, 0.075), color
+/// Albedo of plains from which the wind has blown it.
+#param planet.bare: vec3f = (0.11, 0.065, 0.045), color
+/// Latitude from which ice lies.
+#param planet.cap: f32 = 78.0, range 0 .. 90, unit deg
+#endif
+
+/// Ground as light finds it.
+struct PlanetCover {
+    /// Part of the light that is scattered.
+    albedo: vec3f,
+    /// Part of the sea that is frozen there.
+    frozen: f32,
+}
+
+const COVER_TURNS: i32 = 14;
+const COVER_COARSEST: f32 = 2000000.0; // m
+
+/// Two sums of noise at `p` (m), about -1 .. 1 each: (wide, from 2,000 km to 30 km; fine, below that down to a
+/// metre), of what a pixel `footprint` (m) wide shows; and a third, wide and unlike the first.
+fn planet_mottle(p: vec3f, footprint: f32) -> vec3f {
+    let unit = planet_grain();
+    let place = planet_place(p, unit);
+    let top = i32(log2(COVER_COARSEST / unit));
+    let finest = max(log2(2.0 * footprint / unit), 0.0);
+    var sum = vec3f(0.0);
+    var strength = vec3f(0.8, 0.6, 0.8);
+    for (var i = 0; i < COVER_TURNS; i++) {
+        // Each a third or a quarter as wide as the one before: 7 wide ones, of two kinds by turns, then fine ones.
+        let level = top - select(6 + 2 * (i - 6), i, i < 6);
+        let presence = clamp(f32(level) - finest, 0.0, 1.0);
+        if level < 0 || presence <= 0.0 {
+            break;
+        }
+        let scaled = precise_coarser(place, u32(level));
+        let n = presence * perlin_noise3_at(scaled.cell, scaled.fraction, planet.seed + 701u + u32(i));
+        if i >= 6 {
+            sum.y += strength.y * n;
+            strength.y *= 0.8;
+        } else if (i & 1) == 0 {
+            sum.x += strength.x * n;
+            strength.x *= 0.8;
+        } else {
+            sum.z += strength.z * n;
+            strength.z *= 0.8;
+        }
+    }
+    return sum;
+}
+
+/// What covers the ground at `p` (m), whose `height` is above sea level (m) and whose normal is tilted against the unit
+/// `up` by the slope (rise over run) of length `steepness`. Up to 14 noises.
+fn planet_cover_at(p: vec3f, up: vec3f, height: f32, steepness: f32, footprint: f32) -> PlanetCover {
+    let mottle = planet_mottle(p, footprint);
+    let pole = abs(dot(up, vec3f(planet_axes()[0].y, planet_axes()[1].y, planet_axes()[2].y))); // sine of the latitude
+    let bare_from = tan(planet.steepest);
+    let steep = smoothstep(0.8 * bare_from, 1.25 * bare_from, steepness * (1.0 + 0.3 * mottle.y));
+#if planet.cover == biomes
+    let latitude = asin(min(pole, 1.0));
+    let warmth = planet.equator - planet.cooling * pole * pole - 0.0062 * max(height, 0.0) + 5.0 * mottle.x + 2.5 * mottle.y;
+    let belts = 0.5 + 0.42 * cos(6.0 * latitude) + 0.10 * smoothstep(0.6, 0.9, pole);
+    let wet = belts + 0.55 * mottle.z + 0.16 * mottle.y - 0.6 * planet.dryness;
+    let grassy = smoothstep(0.12, 0.5, wet);
+    let wooded = smoothstep(0.42, 0.80, wet + 0.1 * mottle.y) * smoothstep(-3.0, 4.0, warmth);
+    let woods = mix(planet.forest, planet.jungle, smoothstep(12.0, 22.0, warmth));
+    let sand = planet.desert * (1.0 + 0.25 * mottle.y + 0.2 * mottle.x);
+    var open = mix(sand, planet.grass * (1.0 + 0.3 * mottle.y), grassy);
+    open = mix(planet.tundra * (1.0 + 0.2 * mottle.y), open, smoothstep(-2.0, 8.0, warmth));
+    var albedo = mix(open, woods * (1.0 + 0.35 * mottle.y), wooded);
+    albedo = mix(albedo, planet.rock * (1.0 + 0.3 * mottle.y), max(steep, smoothstep(2200.0, 4200.0, height) * 0.6));
+    let beach = 1.0 - smoothstep(2.0, 7.0, height + 2.0 * mottle.y);
+    albedo = mix(albedo, planet.desert, beach * (1.0 - steep));
+    let snowy = smoothstep(-3.0, -9.0, warmth) * (1.0 - 0.8 * steep);
+    albedo = mix(albedo, planet.snow * (1.0 + 0.08 * mottle.y), snowy);
+    let frozen = smoothstep(-13.0, -17.0, warmth + 1.5 * mottle.z);
+#else
+    let dusty = smoothstep(-0.35, 0.35, mottle.x + 0.35 * mottle.y + 0.00006 * height);
+    var albedo = mix(planet.bare, planet.dust, dusty) * (1.0 + 0.18 * mottle.y + 0.12 * mottle.z);
+    albedo = mix(albedo, planet.rock * (1.0 + 0.3 * mottle.y), 0.6 * steep);
+    let icy = pole + 0.022 * mottle.x + 0.008 * mottle.y + 0.012 * mottle.z - sin(planet.cap);
+    let snowy = smoothstep(-0.004, 0.006, icy) * (1.0 - 0.5 * steep);
+    albedo = mix(albedo, planet.snow * (1.0 + 0.08 * mottle.y), snowy);
+    let frozen = snowy;
+#endif
+    return PlanetCover(clamp(albedo, vec3f(0.0), vec3f(0.95)), frozen);
+}

@@ -1,0 +1,284 @@
+// A planet, from space down to the ground: land and sea, clouds and air.
+//
+// The world's origin lies on the planet's sphere at `planet.latitude` and `planet.longitude`; the planet's centre is
+// `sky.ground_radius` beneath it. The camera is placed from there.
+
+#include <camera/camera.wgsl>
+#include <camera/display.wgsl>
+#include <geometry/globe.wgsl>
+#include <geometry/ray.wgsl>
+#include <light/outdoor.wgsl>
+#include <march/globe.wgsl> as globe with above = planet_above
+#include <planet/globe.wgsl>
+#include <planet/height.wgsl>
+#include <planet/material.wgsl>
+#include <quality.wgsl>
+#include <sky/sky.wgsl>
+
+/// Whether there is a sea.
+#option planet.water = true
+/// Whether there are clouds.
+#option planet.clouds = true
+/// Whether mountains throw shadows.
+#option planet.shadows = true
+
+/// Whether trees stand around the world's origin, where `trees.*` say so. They stand on land: `terrain.relief` must be
+/// `planet` then.
+#option planet.trees = false
+
+#if planet.trees
+#include <trees/trees.wgsl>
+#endif
+#if planet.water
+#include <water/level.wgsl>
+#include <water/shade.wgsl>
+#endif
+#if planet.clouds
+#include <planet/clouds.wgsl>
+#endif
+
+/// What a ray sees.
+struct Traced {
+    /// Linear sRGB radiance.
+    radiance: vec3f,
+    /// How far the ray went (m), to the ground or the sea; `RAY_FAR` for the sky.
+    distance: f32,
+}
+
+// Steps few enough for software GPUs, which end all loops of eight pixels after 65,535 turns in total: a step takes up to
+// some forty octaves on each of the planes that count.
+#if quality == low
+const GROUND_STEPS: i32 = 45;
+const GROUND_GROWTH: f32 = 0.06;
+const SHADOW_LOOKS: i32 = 6;
+#elif quality == medium
+const GROUND_STEPS: i32 = 70;
+const GROUND_GROWTH: f32 = 0.04;
+const SHADOW_LOOKS: i32 = 9;
+#elif quality == high
+const GROUND_STEPS: i32 = 110;
+const GROUND_GROWTH: f32 = 0.025;
+const SHADOW_LOOKS: i32 = 12;
+#else
+const GROUND_STEPS: i32 = 140;
+const GROUND_GROWTH: f32 = 0.015;
+const SHADOW_LOOKS: i32 = 16;
+#endif
+const GROUND_RELAX: f32 = 0.7;
+
+// What a ray may see, each through air of its own: clouds, the ground or the sea or the sky, and what the sea mirrors.
+const PLANET_CLOUDS: i32 = 0;
+const PLANET_GROUND: i32 = 1;
+const PLANET_MIRRORED: i32 = 2;
+
+/// What is seen from `origin` (m) in the unit `direction`.
+fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
+    let pixel = camera_pixel_angle();
+    let steps = globe_Steps(0.2, GROUND_GROWTH, GROUND_RELAX, GROUND_STEPS, 8, pixel);
+    var far = RAY_FAR;
+#if planet.water
+    let sea = globe_span(origin, direction, sky.ground_radius, water.level);
+    let afloat = planet_altitude(origin) >= water.level;
+    far = select(RAY_FAR, sea.x, afloat && sea.x > 0.0 && sea.x <= sea.y);
+#endif
+    let land = globe_march(origin, direction, sky.ground_radius, planet_ceiling(), far, steps);
+    var way = select(far, land.distance, land.hit);
+    var ends = land.hit;
+    var wet = false;
+    var near_sea = false;
+#if planet.water
+    // The march ends within half a pixel of the ground: where that is near the sea's surface, the depth there decides.
+    let slack = 0.5 * pixel * way;
+    near_sea = far < RAY_FAR && (!land.hit || planet_altitude(origin + way * direction) < water.level + slack);
+    way = select(way, far, near_sea);
+    ends = ends || near_sea;
+#endif
+
+#if planet.trees
+    let tree = trees_trace(origin, direction, 0.0, select(trees.far, way, ends));
+    let leafy = tree.hit;
+    way = select(way, tree.distance, leafy);
+    ends = ends || leafy;
+#else
+    let leafy = false;
+#endif
+
+    // The ground there, or the bed of the sea.
+    var end = origin + select(0.0, way, ends) * direction;
+    let footprint = pixel * select(0.0, way, ends);
+    let up = planet_up(end);
+    var albedo = vec3f(0.0);
+    var normal = up;
+    var sun_seen = 1.0;
+    var steepness = 0.0;
+#if planet.water
+    var depth = 0.0;
+    var frozen = 0.0;
+#endif
+    let to_key = key_direction();
+    if ends {
+        let ground = planet_ground(end, footprint);
+        steepness = length(ground.slope);
+        if land.hit && !near_sea && !leafy {
+            // Half a pixel may be higher than all of the air: the rest of the way down.
+            way += (planet_altitude(end) - ground.height) / max(-dot(direction, up), 0.25);
+            way = max(way, 0.0);
+            end = origin + way * direction;
+        }
+        let cover = planet_cover_at(end, up, ground.height, steepness, footprint);
+        albedo = cover.albedo;
+        normal = planet_normal(up, ground.slope);
+#if planet.water
+        frozen = cover.frozen;
+        depth = water.level - ground.height;
+        wet = near_sea && depth > 0.0 && !leafy;
+        if wet {
+            normal = up;
+        }
+#endif
+    }
+
+#if planet.clouds
+    // Clouds where the ray meets their shell, the clouds between there and the sun, and those over the ground.
+    let canopy = globe_span(origin, direction, sky.ground_radius, shell.height);
+    let inside = planet_altitude(origin) < shell.height;
+    var cloud_way = select(canopy.x, canopy.y, inside);
+    let meets = canopy.x <= canopy.y && cloud_way > 0.0 && cloud_way < way;
+    cloud_way = select(0.0, cloud_way, meets);
+    let cloud_at = origin + cloud_way * direction;
+    let axes = planet_axes();
+    var thick = vec3f(0.0);
+    for (var i = 0; i < 3; i++) {
+        var start_at = cloud_at;
+        var ahead = 0.0;
+        if i == 1 {
+            ahead = max(8000.0, 1.5 * pixel * cloud_way);
+        } else if i == 2 {
+            start_at = end;
+            let climb = max(dot(up, to_key), 0.08);
+            ahead = (shell.height - planet_altitude(end)) / climb;
+        }
+        if (i == 2 && !ends) || (i < 2 && !meets) || (i == 1 && thick.x <= 0.0) {
+            continue;
+        }
+        let seen = pixel * select(cloud_way, way, i == 2) / sky.ground_radius;
+        thick[i] = shell_at(axes * planet_up(start_at + ahead * to_key), seen);
+    }
+#endif
+
+#if planet.shadows
+    if ends && dot(up, to_key) > -0.1 && (leafy || dot(normal, to_key) > 0.0) {
+        let start = max(footprint, 1.0);
+        let start_at = end + 0.5 * start * normal;
+        let reach = min(planet_ceiling() / max(dot(up, to_key), 0.04), 200000.0);
+        if reach > start {
+            sun_seen = globe_shadow(start_at, to_key, max(key_radius(), 0.004), start, reach, footprint, SHADOW_LOOKS);
+        }
+    }
+#endif
+
+#if planet.trees
+    if ends && sun_seen > 0.0 && way < trees.far {
+        sun_seen *= trees_shadow(end, footprint, Daylight(to_key, key_radius(), vec3f(1.0), vec3f(0.0)));
+    }
+#endif
+
+    var radiance = vec3f(0.0);
+    var passed = vec3f(0.0); // of what the sea mirrors
+    var mirrored = direction;
+    var cloud_radiance = vec3f(0.0);
+    var cloud_opacity = 0.0;
+    for (var i = 0; i <= PLANET_MIRRORED; i++) {
+        var start_at = origin;
+        var toward = direction;
+        var distance = way;
+        var place = select(origin, end, ends);
+#if planet.clouds
+        if i == PLANET_CLOUDS {
+            distance = cloud_way;
+            place = cloud_at;
+        }
+        if i == PLANET_CLOUDS && thick.x <= 0.0 {
+            continue;
+        }
+#else
+        if i == PLANET_CLOUDS {
+            continue;
+        }
+#endif
+        if i == PLANET_MIRRORED {
+            if max(passed.x, max(passed.y, passed.z)) < 0.004 {
+                break;
+            }
+            start_at = end + 2.0 * up;
+            toward = mirrored;
+            distance = RAY_FAR;
+        }
+        let day = sky_daylight(place);
+        let here = planet_up(place);
+        let compass = globe_frame(here);
+        let local_sun = day.to_sun * compass;
+        var lit = vec3f(0.0);
+        if i == PLANET_GROUND && ends {
+            var sunlight = day.sun * sun_seen;
+#if planet.clouds
+            let over = shell_transmittance(shell_depth(thick.z));
+            sunlight *= over;
+#endif
+            lit = outdoor_radiance(albedo, normal * compass, local_sun, sunlight, day.sky, 1.0, 1.0, albedo);
+#if planet.trees
+            let under_sun = Daylight(day.to_sun, day.radius, sunlight, day.sky);
+            if leafy {
+                lit = trees_shade(origin, direction, tree, under_sun, 1.0);
+            }
+#endif
+#if planet.water
+            if wet {
+                let local_day = Daylight(local_sun, day.radius, sunlight, day.sky);
+                let surface = water_seen_from_above(
+                    end, toward * compass, footprint / max(-dot(toward, here), 0.02), lit, depth, depth,
+                    water_edge(footprint, steepness), local_day, 1.0,
+                );
+                mirrored = compass * surface.direction;
+                passed = surface.passed * (1.0 - frozen);
+                let ice = planet.snow * (sunlight * max(local_sun.y, 0.0) + day.sky) / 3.14159265;
+                lit = mix(surface.own, ice, frozen);
+            }
+#endif
+        }
+#if planet.clouds
+        if i == PLANET_CLOUDS {
+            let tau = shell_depth(thick.x);
+            let between = shell_transmittance(2.0 * shell_depth(thick.y));
+            let through = shell_transmittance(tau);
+            let irradiance = day.sun * max(local_sun.y, 0.0) * mix(0.5, 1.0, between) + day.sky;
+            // Seen flat, a thin cloud hides more.
+            cloud_opacity = 1.0 - shell_transmittance(tau / max(abs(dot(direction, here)), 0.15));
+            let returned = select((1.0 - through) / max(cloud_opacity, 1e-4), through, inside);
+            lit = min(returned, 1.0) * irradiance / 3.14159265;
+        }
+#endif
+        let behind = select(lit, sky_beyond(toward), i == PLANET_GROUND && !ends);
+        let seen = sky_veil(behind, start_at, toward, distance);
+        if i == PLANET_CLOUDS {
+            cloud_radiance = seen;
+        } else if i == PLANET_GROUND {
+            radiance = seen;
+            if !wet {
+                break;
+            }
+        } else {
+            radiance += passed * seen;
+        }
+    }
+    radiance = mix(radiance, cloud_radiance, cloud_opacity);
+    return Traced(radiance, way);
+}
+
+/// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
+fn main_image(frag_coord: vec2f) -> vec4f {
+    let under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), 0.0).height;
+    let ray = camera_ray(frag_coord, under);
+    let seen = scene_trace(ray.origin, ray.direction);
+    return vec4f(display_color(seen.radiance), 1.0);
+}
