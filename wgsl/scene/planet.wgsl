@@ -280,5 +280,5 @@ fn main_image(frag_coord: vec2f) -> vec4f {
     let under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), 0.0).height;
     let ray = camera_ray(frag_coord, under);
     let seen = scene_trace(ray.origin, ray.direction);
-    return vec4f(display_color(seen.radiance), 1.0);
+    return vec4f(display_color(seen.radiance, frag_coord), 1.0);
 }
