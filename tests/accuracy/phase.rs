@@ -51,7 +51,8 @@ fn phase_functions_are_whole_and_as_lopsided_as_is_said() {
         ("phase_rayleigh(c)".to_owned(), 0.0, Box::new(move |c| 0.75 * level * (1.0 + c * c)));
     hold(&mut report, "Rayleigh", vec![rayleigh]);
 
-    let each = |setting: &dyn Fn(f32, f64) -> Setting| GS.map(|g| setting(g, f64::from(g))).into_iter().collect();
+    let each =
+        |setting: &dyn Fn(f32, f64) -> Setting| GS.map(|g| setting(g, f64::from(g))).into_iter().collect();
     let hg = each(&|g, w| {
         (format!("phase_henyey_greenstein(c, {g:?})"), w, Box::new(move |c| exact::henyey_greenstein(c, w)))
     });

@@ -79,7 +79,14 @@ pub fn first_order(medium: &Medium, tau: f64, sun_zenith: f64, view: &View) -> f
 /// Follows so many photons through a slab of optical thickness `tau`. Each scattering is also looked at from every view;
 /// the first order, known exactly, is taken from [`first_order`].
 #[must_use]
-pub fn follow(medium: &Medium, tau: f64, sun_zenith: f64, views: &[View], photons: u32, seed: u64) -> Leaving {
+pub fn follow(
+    medium: &Medium,
+    tau: f64,
+    sun_zenith: f64,
+    views: &[View],
+    photons: u32,
+    seed: u64,
+) -> Leaving {
     let mut random = Stream(seed);
     let sun = to_sun(sun_zenith);
     let toward: Vec<[f64; 3]> = views.iter().map(View::light).collect();

@@ -67,7 +67,8 @@ pub fn hg_draine_mean(diameter: f64) -> f64 {
 pub fn crowded_cosines() -> Vec<f32> {
     let side = 6000;
     // From the pole outward: 1 - cosine grows from one unit in the last place by .3 % a step, then evenly.
-    let mut off: Vec<f64> = (0..=side).map(|i| 6e-8 * (1.7e7_f64).powf(f64::from(i) / f64::from(side))).collect();
+    let mut off: Vec<f64> =
+        (0..=side).map(|i| 6e-8 * (1.7e7_f64).powf(f64::from(i) / f64::from(side))).collect();
     off.insert(0, 0.0);
     let mut all: Vec<f32> = off.iter().map(|&off| (1.0 - off.min(1.0)) as f32).collect();
     all.extend(off.iter().map(|&off| (off.min(1.0) - 1.0) as f32));
@@ -89,11 +90,8 @@ pub fn over_the_sphere(cosines: &[f32], value: &[f64]) -> [f64; 2] {
     for i in (0..cosines.len() - 2).step_by(2) {
         let [a, b, c] = [0, 1, 2].map(|j| f64::from(cosines[i + j]));
         let (h, k) = (b - a, c - b);
-        let weights = [
-            (h + k) / 6.0 * (2.0 - k / h),
-            (h + k).powi(3) / (6.0 * h * k),
-            (h + k) / 6.0 * (2.0 - h / k),
-        ];
+        let weights =
+            [(h + k) / 6.0 * (2.0 - k / h), (h + k).powi(3) / (6.0 * h * k), (h + k) / 6.0 * (2.0 - h / k)];
         for (j, weight) in weights.iter().enumerate() {
             let part = 2.0 * PI * weight * value[i + j];
             sums[0] += part;
