@@ -11,7 +11,14 @@ fn main() {
     let other = [(15.0, 180.0), (40.0, 135.0), (50.0, 90.0), (70.0, 0.0), (70.0, 180.0), (80.0, 30.0)];
     print(photons, 1, 1.0, &[0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0], &[0.0, 30.0, 60.0, 80.0], &common);
     print(photons, 33, 0.9, &[2.0, 16.0], &[0.0, 30.0, 60.0, 80.0], &common);
-    print(photons, 1000, 1.0, &[0.5, 0.7, 2.0, 3.0, 6.0, 12.0, 24.0, 48.0], &[15.0, 45.0, 60.0, 70.0, 75.0], &other);
+    print(
+        photons,
+        1000,
+        1.0,
+        &[0.5, 0.7, 2.0, 3.0, 6.0, 12.0, 24.0, 48.0],
+        &[15.0, 45.0, 60.0, 70.0, 75.0],
+        &other,
+    );
 }
 
 /// A row for each view (zenith and azimuth, from above and from below), for each sun, for each thickness.
@@ -29,7 +36,9 @@ fn print(photons: u32, seed: u64, albedo: f64, taus: &[f64], suns: &[f64], direc
             for (view, [radiance, first, error]) in views.iter().zip(&seen.views) {
                 let View { zenith, azimuth, above } = view;
                 let above = u8::from(*above);
-                println!("{albedo},{tau},{sun},{zenith},{azimuth},{above},{radiance:.5e},{first:.4e},{error:.1e}");
+                println!(
+                    "{albedo},{tau},{sun},{zenith},{azimuth},{above},{radiance:.5e},{first:.4e},{error:.1e}"
+                );
             }
         }
     }
