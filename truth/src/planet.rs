@@ -103,7 +103,8 @@ impl Planet {
             }
             let number = 1.0 + 2.0 * side as f64 + f64::from(u8::from(turned[side] < 0.0));
             let at = |axis: usize, offset: f64| (self.origin[axis] + beneath[axis]) / grain + number * offset;
-            height += weights[side] * self.map([at((side + 1) % 3, apart[0]), at((side + 2) % 3, apart[1])], finest);
+            height += weights[side]
+                * self.map([at((side + 1) % 3, apart[0]), at((side + 2) % 3, apart[1])], finest);
         }
         height
     }
@@ -129,8 +130,7 @@ impl Planet {
             Relief::Continents(ocean, sea_floor, chains, hills) => {
                 let octave = |index, level| presence(level) * self.octave(bent, index, level);
                 let chain = octave(2, top) + 0.45 * octave(3, top - 1);
-                let land: f64 =
-                    (0..9).map(|i| 0.58_f64.powi(i) * octave(4 + i as usize, top - i)).sum();
+                let land: f64 = (0..9).map(|i| 0.58_f64.powi(i) * octave(4 + i as usize, top - i)).sum();
                 let (mut ridges, mut rough, mut strength) = (0.56, 1.0_f64, 1.0);
                 for i in 0..24 {
                     let level = top - 7 - i;
@@ -156,11 +156,12 @@ impl Planet {
             Relief::Craters(share, depth, coarsest) => {
                 let octave = |index, level| presence(level) * self.octave(bent, index, level);
                 let land: f64 = (0..5).map(|i| 0.5_f64.powi(i) * octave(2 + i as usize, top - i)).sum();
-                let rough: f64 =
-                    (0..24).map(|i| {
+                let rough: f64 = (0..24)
+                    .map(|i| {
                         let level = top - 5 - i;
                         presence(level) * self.gain.powi(i) * self.octave(q, 7 + i as usize, level)
-                    }).sum();
+                    })
+                    .sum();
                 let step = rise(-0.15, 0.35, land);
                 self.swell * (0.5 * land + 1.2 * (step - 0.5))
                     + self.peak_height * (1.0 - self.gain) * (0.25 + 0.75 * step) * rough
@@ -185,8 +186,7 @@ impl Planet {
             for place in 0..25 {
                 let place = [cell[0] + place % 5 - 2, cell[1] + place / 5 - 2];
                 let key = pcg(self.seed + 977 + level as u32);
-                let bits =
-                    pcg((place[0] as u32).wrapping_add(pcg((place[1] as u32).wrapping_add(key))));
+                let bits = pcg((place[0] as u32).wrapping_add(pcg((place[1] as u32).wrapping_add(key))));
                 let where_in = pcg2d([bits, 5]).map(unit);
                 let kind = pcg2d([bits, 6]).map(unit);
                 if kind[0] >= share {
@@ -206,7 +206,13 @@ impl Planet {
 
     /// Where a ray from `origin` in the unit `direction` first meets the ground within `far` (m): by steps of a third of
     /// the height above it and no less than `shortest` (m), then halvings.
-    pub fn first_crossing(&self, origin: [f64; 3], direction: [f64; 3], far: f64, shortest: f64) -> Option<f64> {
+    pub fn first_crossing(
+        &self,
+        origin: [f64; 3],
+        direction: [f64; 3],
+        far: f64,
+        shortest: f64,
+    ) -> Option<f64> {
         let above = |t: f64| {
             let p = std::array::from_fn(|axis| origin[axis] + t * direction[axis]);
             self.place(p).1 - self.height(p, 0.0)
