@@ -39,18 +39,21 @@ pub struct Planet {
 /// The two kinds of ground, and what only they have.
 #[derive(Debug, Clone, Copy)]
 pub enum Relief {
-    /// `planet.ocean`, `planet.sea_floor`, `planet.chains`, `planet.hills`
+    /// Normal quantile of `planet.ocean`, `planet.sea_floor`, `planet.chains`, `planet.hills`
     Continents(f64, f64, f64, f64),
     /// `planet.craters`, `planet.crater_depth`, `planet.crater_coarsest`
     Craters(f64, f64, u32),
 }
+
+/// What 68 % of the standard normal distribution lie below: of the default of `planet.ocean`.
+pub const QUANTILE_68: f64 = 0.467_698_799_114_508;
 
 /// An earth, as the library's defaults have it but for a grain of one metre.
 pub const EARTH: Planet = Planet {
     radius: 6_360_000.0,
     axes: [[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]],
     origin: [6_360_000.0, 0.0, 0.0],
-    relief: Relief::Continents(0.68, 3800.0, 0.16, 0.10),
+    relief: Relief::Continents(QUANTILE_68, 3800.0, 0.16, 0.10),
     seed: 1,
     scale: 4_194_304.0,
     octaves: 22,
@@ -143,7 +146,7 @@ impl Planet {
                     rough = (1.8 * rough * ridge).min(1.0);
                     strength *= self.gain;
                 }
-                let rise_of_land = land - 0.373 * quantile(ocean);
+                let rise_of_land = land - 0.373 * ocean;
                 let share = hills + (1.0 - hills) * (-(chain / chains).powi(2)).exp();
                 self.swell * rise_of_land - sea_floor * (1.0 - rise(-0.34, -0.05, rise_of_land))
                     + 1.5
@@ -260,24 +263,4 @@ pub fn weights(direction: [f64; 3], sharpness: f64) -> [f64; 3] {
     });
     let total: f64 = kept.iter().sum();
     kept.map(|x| x / total)
-}
-
-/// Where the standard normal distribution has `part` below, by halvings of its integral.
-pub fn quantile(part: f64) -> f64 {
-    let below = |x: f64| {
-        let steps = 2000;
-        let h = x / f64::from(steps);
-        let density = |t: f64| (-0.5 * t * t).exp() / std::f64::consts::TAU.sqrt();
-        0.5 + (0..steps).map(|i| h * density((f64::from(i) + 0.5) * h)).sum::<f64>()
-    };
-    let (mut low, mut high) = (-4.0, 4.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if below(middle) < part {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
 }
