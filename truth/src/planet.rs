@@ -39,18 +39,21 @@ pub struct Planet {
 /// The two kinds of ground, and what only they have.
 #[derive(Debug, Clone, Copy)]
 pub enum Relief {
-    /// `planet.ocean`, `planet.sea_floor`, `planet.chains`, `planet.hills`
+    /// Normal quantile of `planet.ocean`, `planet.sea_floor`, `planet.chains`, `planet.hills`
     Continents(f64, f64, f64, f64),
     /// `planet.craters`, `planet.crater_depth`, `planet.crater_coarsest`
     Craters(f64, f64, u32),
 }
+
+/// What 68 % of the standard normal distribution lie below: of the default of `planet.ocean`.
+pub const QUANTILE_68: f64 = 0.467_698_799_114_508;
 
 /// An earth, as the library's defaults have it but for a grain of one metre.
 pub const EARTH: Planet = Planet {
     radius: 6_360_000.0,
     axes: [[0.0, 0.0, -1.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0]],
     origin: [6_360_000.0, 0.0, 0.0],
-    relief: Relief::Continents(0.68, 3800.0, 0.16, 0.10),
+    relief: Relief::Continents(QUANTILE_68, 3800.0, 0.16, 0.10),
     seed: 1,
     scale: 4_194_304.0,
     octaves: 22,
@@ -103,7 +106,8 @@ impl Planet {
             }
             let number = 1.0 + 2.0 * side as f64 + f64::from(u8::from(turned[side] < 0.0));
             let at = |axis: usize, offset: f64| (self.origin[axis] + beneath[axis]) / grain + number * offset;
-            height += weights[side] * self.map([at((side + 1) % 3, apart[0]), at((side + 2) % 3, apart[1])], finest);
+            height += weights[side]
+                * self.map([at((side + 1) % 3, apart[0]), at((side + 2) % 3, apart[1])], finest);
         }
         height
     }
@@ -129,8 +133,7 @@ impl Planet {
             Relief::Continents(ocean, sea_floor, chains, hills) => {
                 let octave = |index, level| presence(level) * self.octave(bent, index, level);
                 let chain = octave(2, top) + 0.45 * octave(3, top - 1);
-                let land: f64 =
-                    (0..9).map(|i| 0.58_f64.powi(i) * octave(4 + i as usize, top - i)).sum();
+                let land: f64 = (0..9).map(|i| 0.58_f64.powi(i) * octave(4 + i as usize, top - i)).sum();
                 let (mut ridges, mut rough, mut strength) = (0.56, 1.0_f64, 1.0);
                 for i in 0..24 {
                     let level = top - 7 - i;
@@ -143,7 +146,7 @@ impl Planet {
                     rough = (1.8 * rough * ridge).min(1.0);
                     strength *= self.gain;
                 }
-                let rise_of_land = land - 0.373 * quantile(ocean);
+                let rise_of_land = land - 0.373 * ocean;
                 let share = hills + (1.0 - hills) * (-(chain / chains).powi(2)).exp();
                 self.swell * rise_of_land - sea_floor * (1.0 - rise(-0.34, -0.05, rise_of_land))
                     + 1.5
@@ -156,11 +159,12 @@ impl Planet {
             Relief::Craters(share, depth, coarsest) => {
                 let octave = |index, level| presence(level) * self.octave(bent, index, level);
                 let land: f64 = (0..5).map(|i| 0.5_f64.powi(i) * octave(2 + i as usize, top - i)).sum();
-                let rough: f64 =
-                    (0..24).map(|i| {
+                let rough: f64 = (0..24)
+                    .map(|i| {
                         let level = top - 5 - i;
                         presence(level) * self.gain.powi(i) * self.octave(q, 7 + i as usize, level)
-                    }).sum();
+                    })
+                    .sum();
                 let step = rise(-0.15, 0.35, land);
                 self.swell * (0.5 * land + 1.2 * (step - 0.5))
                     + self.peak_height * (1.0 - self.gain) * (0.25 + 0.75 * step) * rough
@@ -185,8 +189,7 @@ impl Planet {
             for place in 0..25 {
                 let place = [cell[0] + place % 5 - 2, cell[1] + place / 5 - 2];
                 let key = pcg(self.seed + 977 + level as u32);
-                let bits =
-                    pcg((place[0] as u32).wrapping_add(pcg((place[1] as u32).wrapping_add(key))));
+                let bits = pcg((place[0] as u32).wrapping_add(pcg((place[1] as u32).wrapping_add(key))));
                 let where_in = pcg2d([bits, 5]).map(unit);
                 let kind = pcg2d([bits, 6]).map(unit);
                 if kind[0] >= share {
@@ -206,7 +209,13 @@ impl Planet {
 
     /// Where a ray from `origin` in the unit `direction` first meets the ground within `far` (m): by steps of a third of
     /// the height above it and no less than `shortest` (m), then halvings.
-    pub fn first_crossing(&self, origin: [f64; 3], direction: [f64; 3], far: f64, shortest: f64) -> Option<f64> {
+    pub fn first_crossing(
+        &self,
+        origin: [f64; 3],
+        direction: [f64; 3],
+        far: f64,
+        shortest: f64,
+    ) -> Option<f64> {
         let above = |t: f64| {
             let p = std::array::from_fn(|axis| origin[axis] + t * direction[axis]);
             self.place(p).1 - self.height(p, 0.0)
@@ -254,24 +263,4 @@ pub fn weights(direction: [f64; 3], sharpness: f64) -> [f64; 3] {
     });
     let total: f64 = kept.iter().sum();
     kept.map(|x| x / total)
-}
-
-/// Where the standard normal distribution has `part` below, by halvings of its integral.
-pub fn quantile(part: f64) -> f64 {
-    let below = |x: f64| {
-        let steps = 2000;
-        let h = x / f64::from(steps);
-        let density = |t: f64| (-0.5 * t * t).exp() / std::f64::consts::TAU.sqrt();
-        0.5 + (0..steps).map(|i| h * density((f64::from(i) + 0.5) * h)).sum::<f64>()
-    };
-    let (mut low, mut high) = (-4.0, 4.0);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if below(middle) < part {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
 }

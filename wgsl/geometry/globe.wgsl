@@ -37,7 +37,8 @@ fn globe_frame(up: vec3f) -> mat3x3f {
 }
 
 /// Distances along the unit `direction` from `origin` (m) to the sphere `height` (m) above a globe: (near, far), near
-/// > far where it is missed. Exact to about a millionth of the distance also where the origin is close to the sphere.
+/// > far where it is missed. As exact as the direction also where the origin is close to
+/// the sphere.
 fn globe_span(origin: vec3f, direction: vec3f, radius: f32, height: f32) -> vec2f {
     // In units of the radius: t² + 2 b t + c = 0.
     let q = origin / radius;
@@ -45,13 +46,15 @@ fn globe_span(origin: vec3f, direction: vec3f, radius: f32, height: f32) -> vec2
     let outer = 1.0 + height / radius;
     let b = direction.y + dot(q, direction);
     let c = above * (2.0 * outer + above);
-    // The foot of the perpendicular from the centre, and how far it is from the centre: no difference of large squares.
+    // The square of half the chord: near the sphere from b and c, which are small; from afar by the foot of the perpendicular
+    // from the centre, without the difference of large squares.
     let out = vec3f(q.x, q.y + 1.0, q.z);
     let foot = length(out - b * direction);
-    if foot >= outer {
+    let inside = select((outer - foot) * (outer + foot), b * b - c, max(b * b, abs(c)) < 1.0);
+    if inside < 0.0 {
         return vec2f(1e30, -1e30);
     }
-    let half_chord = sqrt(max((outer - foot) * (outer + foot), 1e-30));
+    let half_chord = sqrt(max(inside, 1e-30));
     // The root of larger size first; the other from their product.
     let large = -b - select(-half_chord, half_chord, b >= 0.0);
     let small = c / select(min(large, -1e-15), max(large, 1e-15), large >= 0.0);
