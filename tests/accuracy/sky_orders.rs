@@ -138,9 +138,9 @@ fn other_air_is_lit_as_it_should_be() {
     };
     let (hazy4, hazy10) = (hazy(4.0), hazy(10.0));
     let airs: [(&str, &str, Vec<&str>, [f64; 2]); 3] = [
-        ("haze4", "four times Earth's aerosols", hazy4.iter().map(String::as_str).collect(), [0.08, 0.2]),
-        ("haze10", "ten times Earth's aerosols", hazy10.iter().map(String::as_str).collect(), [0.15, 0.35]),
-        ("mars", "Mars", MARS.to_vec(), [0.3, 0.6]),
+        ("haze4", "four times Earth's aerosols", hazy4.iter().map(String::as_str).collect(), [0.05, 0.12]),
+        ("haze10", "ten times Earth's aerosols", hazy10.iter().map(String::as_str).collect(), [0.08, 0.2]),
+        ("mars", "Mars", MARS.to_vec(), [0.13, 0.4]),
     ];
     for (key, name, settings, [usual, bound]) in airs {
         let mut rows = table(text, key);
