@@ -76,7 +76,7 @@ fn orders_two_stream(height: f32, sun_mu: f32) -> OrdersField {
     return field;
 }
 
-/// What the two-stream field's mean radiance is to be multiplied by: .13 .. 34, and .6 .. 2 by day.
+/// What the two-stream field's mean radiance is to be multiplied by: .13 .. 34, and .9 .. 1.8 by day.
 fn orders_field(field: OrdersField) -> vec3f {
     let w = field.w;
     let thick = field.density.x;
