@@ -180,7 +180,7 @@ fn level_ground_gets_what_traced_paths_bring() {
 const FURNACE: &str = "
 #include <sky/atmosphere.wgsl>
 fn furnace(mu: f32, steps: u32) -> array<vec3f, 2> {
-    let sun = vec3f(sqrt(1.0 - mu * mu), mu, 0.0);
+    let to_sun = vec3f(sqrt(1.0 - mu * mu), mu, 0.0);
     let top = sky.air_height;
     var out = vec3f(0.0);
     for (var k = 0u; k < steps * steps; k++) {
@@ -190,7 +190,7 @@ fn furnace(mu: f32, steps: u32) -> array<vec3f, 2> {
         let azimuth = 3.14159265 * (f32(k % steps) + 0.5) / f32(steps);
         let sine = sqrt(1.0 - squared);
         let view = vec3f(sine * cos(azimuth), -sqrt(squared), sine * sin(azimuth));
-        out += atmosphere_radiance(top, view, sun) * 3.14159265 / f32(steps * steps);
+        out += atmosphere_radiance(top, view, to_sun) * 3.14159265 / f32(steps * steps);
     }
     let kept = (1.0 - sky.ground_albedo) * (mu * atmosphere_transmittance(0.0, mu) + orders_irradiance(0.0, mu));
     return array<vec3f, 2>(out / mu, kept / mu);

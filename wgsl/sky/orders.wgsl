@@ -10,7 +10,7 @@
 // toward the worst: over 2,300 rays under 20 suns, their light from fields that `truth`'s example `orders` traced,
 // and over 225 rays traced singly, at dusk, in hazier air and on Mars. They depend on optical depth, sun and height
 // alone, and so follow the parameters of the air. With an exact first order, Earth's sky is right within 3 % for suns
-// up to 85° from the zenith, 7 % to 90°, 12 % at 92°, 20 % at 94° and 26 % at 96°; air of ten times the aerosols
+// up to 85° from the zenith, 7 % to 90°, 12 % at 92°, 20 % at 94° and 96°; air of ten times the aerosols
 // within 15 % and Mars's within 40 % by day.
 
 #include <sky/medium.wgsl>
