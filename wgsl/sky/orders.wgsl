@@ -1,12 +1,17 @@
 // Light that the air scatters more than once, without a table: a two-stream field, mended to what path tracing shows.
 //
 // The field is Eddington's for conservative scattering over a grey ground, in closed form: aerosols count by the part
-// that they do not send forward, ozone dims the sun above it all, and a low sun, or one below the horizon, shines down
-// a column as many times thicker as its way through curved air is longer than a vertical one. Against the mean radiance
-// of traced paths (Earth, sea level to 60 km) that much alone is right within a factor of two as long as the sun is up;
-// the numbers in `orders_field` and `orders_source` are a least squares fit of the sky's whole radiance over 2,300 rays
-// under 20 suns, weighted toward the worst. They depend on optical depth, sun and height alone, so they follow the
-// parameters of the air.
+// that they do not send forward, ozone dims the sun above it all, and a low sun, or one below the horizon, shines
+// down a column as many times thicker as its way through curved air is longer than a vertical one. Against the mean
+// radiance of traced paths (Earth, sea level to 60 km) that much alone is right within a factor of two as long as the
+// sun is up.
+//
+// The numbers in `orders_field` and `orders_source` are a least squares fit of the sky's whole radiance, weighted
+// toward the worst: over 2,300 rays under 20 suns, their light from fields that `truth`'s example `orders` traced,
+// and over 225 rays traced singly, at dusk, in hazier air and on Mars. They depend on optical depth, sun and height
+// alone, and so follow the parameters of the air. With an exact first order, Earth's sky is right within 3 % for suns
+// up to 85° from the zenith, 7 % to 90°, 12 % at 92°, 20 % at 94° and 96°; air of ten times the aerosols
+// within 15 % and Mars's within 40 % by day.
 
 #include <sky/medium.wgsl>
 
@@ -71,7 +76,7 @@ fn orders_two_stream(height: f32, sun_mu: f32) -> OrdersField {
     return field;
 }
 
-/// Part of the two-stream field that there is, of its mean radiance: .4 .. 3.
+/// What the two-stream field's mean radiance is to be multiplied by: .13 .. 34, and .9 .. 1.8 by day.
 fn orders_field(field: OrdersField) -> vec3f {
     let w = field.w;
     let thick = field.density.x;
