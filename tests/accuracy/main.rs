@@ -11,6 +11,7 @@
 #![allow(clippy::print_stdout, reason = "these tests show their numbers")]
 
 mod clouds;
+mod clouds_lit;
 mod colour;
 mod fractal;
 mod geometry;

@@ -18,6 +18,10 @@ fn curve(call: &str, cosines: &[f32]) -> Vec<f64> {
 type Setting = (String, f64, Box<dyn Fn(f64) -> f64>);
 
 fn hold(report: &mut Report, name: &str, settings: Vec<Setting>) {
+    hold_to(report, name, settings, 1e-5);
+}
+
+fn hold_to(report: &mut Report, name: &str, settings: Vec<Setting>, error: f64) {
     let cosines = exact::crowded_cosines();
     let (mut whole, mut mean, mut off) = (0.0_f64, 0.0_f64, 0.0_f64);
     for (call, stated, truth) in settings {
@@ -31,7 +35,7 @@ fn hold(report: &mut Report, name: &str, settings: Vec<Setting>) {
     }
     report.at_most(&format!("{name}: integral over the sphere off 1"), whole, 1e-4);
     report.at_most(&format!("{name}: mean cosine off the stated one"), mean, 1e-3);
-    report.at_most(&format!("{name}: relative error at 12,000 angles"), off, 1e-5);
+    report.at_most(&format!("{name}: relative error at 12,000 angles"), off, error);
 }
 
 /// Anisotropies from -.95 to .95.
@@ -83,7 +87,8 @@ fn phase_functions_are_whole_and_as_lopsided_as_is_said() {
         let call = format!("phase_hg_draine(c, {diameter:?})");
         (call, exact::hg_draine_mean(d), Box::new(move |c| exact::hg_draine(c, d)))
     });
-    hold(&mut report, "HG + Draine, droplets of 5 .. 50 um", droplets.into_iter().collect());
+    // Its g, up to .998, is an f32: 1 - g has five digits.
+    hold_to(&mut report, "HG + Draine, droplets of 5 .. 50 um", droplets.into_iter().collect(), 3e-5);
     report.finish();
 }
 

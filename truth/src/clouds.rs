@@ -45,8 +45,9 @@ pub fn stops(kind: f64) -> [f64; 4] {
     std::array::from_fn(|i| TYPES[low][i] + part * (TYPES[low + 1][i] - TYPES[low][i]))
 }
 
-/// The greatest slope that Perlin noise in space (scaled by .9645) can have at `at` of its cell along the unit `toward`, over
-/// all gradients that the corners may have: each corner's part is linear in its gradient, so each takes its best.
+/// The greatest slope that Perlin noise in space (scaled by .9645) can have at `at` of its cell along the unit
+/// `toward`, over all gradients that the corners may have: each corner's part is linear in its gradient, so each
+/// takes its best.
 #[must_use]
 pub fn perlin3_slope(at: [f64; 3], toward: [f64; 3]) -> f64 {
     let fade = at.map(|t| t * t * t * (t * (6.0 * t - 15.0) + 10.0));

@@ -4,6 +4,7 @@
 //! Inputs are the `f32` values that the GPU gets, widened: what is measured is the error of the arithmetic, not of the
 //! input. Hashes are the same integers on both sides.
 
+pub mod cloud_slab;
 pub mod clouds;
 pub mod erosion;
 pub mod fractal;

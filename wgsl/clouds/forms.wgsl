@@ -1,9 +1,10 @@
-// What shapes clouds out of noise: profiles over height, cover, the lifting and the erosion of noise by noise (Schneider
-// 2015, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn").
+// What shapes clouds out of noise: profiles over height, cover, the lifting and the erosion of noise by noise
+// (Schneider 2015, "The Real-time Volumetric Cloudscapes of Horizon: Zero Dawn").
 
 #include <math/remap.wgsl>
 
-/// Where in its layer a sheet of stratus begins, is full, begins to thin out, and ends: fractions of the layer's height.
+/// Where in its layer a sheet of stratus begins, is full, begins to thin out, and ends: fractions of the layer's
+/// height.
 const CLOUD_STRATUS: vec4f = vec4f(0.0, 0.1, 0.2, 0.3);
 /// As `CLOUD_STRATUS`, of stratocumulus.
 const CLOUD_STRATOCUMULUS: vec4f = vec4f(0.02, 0.2, 0.48, 0.625);
@@ -17,16 +18,16 @@ fn cloud_stops(kind: f32) -> vec4f {
     return mix(mix(CLOUD_STRATUS, CLOUD_STRATOCUMULUS, min(t, 1.0)), CLOUD_CUMULUS, max(t - 1.0, 0.0));
 }
 
-/// How dense a cloud may be at a height, 0 .. 1: the trapezoid that rises between the first two `stops` and falls between
-/// the last two. `height`: fraction of the layer. 0 outside of the stops.
+/// How dense a cloud may be at a height, 0 .. 1: the trapezoid that rises between the first two `stops` and falls
+/// between the last two. `height`: fraction of the layer. 0 outside of the stops.
 fn cloud_gradient(height: f32, stops: vec4f) -> f32 {
     let rise = (height - stops.x) / (stops.y - stops.x);
     let fall = (stops.w - height) / (stops.w - stops.z);
     return clamp(min(rise, fall), 0.0, 1.0);
 }
 
-/// What clouds are cut out of: remap(`lifted`, `holes` - 1, 1, 0, 1), of Perlin-Worley noise `lifted` and a finer fBm of
-/// Worley noise `holes`, both 0 .. 1.
+/// What clouds are cut out of: remap(`lifted`, `holes` - 1, 1, 0, 1), of Perlin-Worley noise `lifted` and a finer fBm
+/// of Worley noise `holes`, both 0 .. 1.
 ///
 /// Where `holes` is 1 it is `lifted`, where it is 0 half of what lacks to 1 is filled. Result `lifted` .. 1.
 fn cloud_lift(lifted: f32, holes: f32) -> f32 {

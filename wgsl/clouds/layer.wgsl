@@ -4,7 +4,7 @@
 #include <frame.wgsl>
 #include <geometry/ray.wgsl>
 #include <light/daylight.wgsl>
-#include <light/phase.wgsl>
+#include <light/cloud.wgsl>
 #include <math/rotation.wgsl>
 #include <noise/perlin.wgsl>
 #include <noise/puffs.wgsl>
@@ -13,7 +13,7 @@
 #include <sun/key.wgsl>
 
 #include <fractal/fbm3.wgsl> as cloud_sheet with noise3 = perlin_noise3_grad
-#include <march/volume.wgsl> as cloud_volume with density = cloud_extinction, vacancy = cloud_vacancy, span = cloud_ahead, source = cloud_source
+#include <march/volume.wgsl> as cloud_volume with density = cloud_extinction, vacancy = cloud_vacancy, span = cloud_ahead, source = cloud_lit
 
 /// What shapes the clouds: `weather` cover and type that vary over the land, heaps with flat bases and billowing tops;
 /// `plain` a sheet of fBm; `boxed` puffs inside of a box.
@@ -33,7 +33,7 @@
 /// How distinct clouds are: at 2 separate heaps, at 0.3 one ragged sheet.
 #param clouds.clumping: f32 = 0.55, range 0.2 .. 3
 /// Distance from one heap to the next.
-#param clouds.scale: f32 = 2600.0, range 10 .. 100000, log, unit m
+#param clouds.scale: f32 = 2600.0, range 10 .. 10000000, log, unit m
 /// How much smaller heaps are toward their tops.
 #param clouds.taper: f32 = 0.5, range 0 .. 1
 /// How deep the smallest puffs and wisps are cut into the edges.
@@ -57,7 +57,27 @@
 /// Size of the box from west to east and from north to south.
 #param clouds.box_size: vec2f = (4000, 4000), range 1 .. 1000000, unit m
 
-/// As far as clouds are looked for.
+/// How often light is scattered on its way: once; in octaves that each reach deeper; any number of times, by a
+/// two-stream field fitted to path-traced clouds.
+#option clouds.scattering = many { once, octaves, many }
+/// Part of the light that droplets scatter and do not absorb.
+#param clouds.albedo: f32 = 1.0, range 0 .. 1
+/// Droplets scatter into two lobes: mean cosine of the forward one.
+#param clouds.forward: f32 = 0.8, range 0 .. 0.95
+/// Mean cosine of the lobe back toward the light.
+#param clouds.back: f32 = -0.3, range -0.95 .. 0
+/// Part of the light that the forward lobe gets.
+#param clouds.forward_share: f32 = 0.85, range 0 .. 1
+/// How far sunlight gets into clouds: 1 as the extinction has it, 2 twice as far.
+#param clouds.penetration: f32 = 1.0, range 0.1 .. 10, log
+/// Part of the light that goes on nearly straight: thin edges before the sun shine.
+#param clouds.silver_lining: f32 = 0.15, range 0 .. 1
+/// How wide the shine around the sun is.
+#param clouds.silver_spread: f32 = 0.06, range 0.01 .. 0.5
+/// How much darker edges toward the sun are than what is behind them ("powder"). Not physical with `scattering` =
+/// `many`.
+#param clouds.powder: f32 = 0.0, range 0 .. 1
+/// As far as clouds are looked for from where a ray comes into the layer.
 #param clouds.far: f32 = 120000.0, range 100 .. 100000000, log, unit m
 /// Colour of the land or sea beneath: the light that it throws back lights the bases.
 #param clouds.ground: vec3f = (0.10, 0.11, 0.09), color
@@ -75,8 +95,6 @@ const CLOUD_SHAPE_OCTAVES: i32 = 3;
 const CLOUD_OCTAVES: i32 = 5;
 // What the noise that clouds are cut out of is on average.
 const CLOUD_MEAN: f32 = 0.84;
-// Mean cosine of the angle by which droplets turn light.
-const CLOUD_ASYMMETRY: f32 = 0.85;
 // As far as it is worth telling that there is no cloud, in distances between heaps.
 const CLOUD_VACANT: f32 = 0.3;
 // Samples of a column's profile, and of a shadow.
@@ -123,8 +141,8 @@ fn cloud_height_fraction(p: vec3f) -> f32 {
 
 #if clouds.shape == shell
 
-/// The ray's line in the sphere `height` (m) above sea level, from a place at `altitude` (m): fine to the metre also where
-/// the planet is flat to f32.
+/// The ray's line in the sphere `height` (m) above sea level, from a place at `altitude` (m): fine to the metre also
+/// where the planet is flat to f32.
 fn cloud_sphere(origin: vec3f, direction: vec3f, altitude: f32, height: f32) -> RaySpan {
     // t² + 2 rise t + power = 0; the difference of the squared radii as a product.
     let rise = dot(origin, direction) + sky.ground_radius * direction.y;
@@ -142,9 +160,9 @@ fn cloud_sphere(origin: vec3f, direction: vec3f, altitude: f32, height: f32) -> 
 
 /// The part of a ray's line that can meet the layer.
 ///
-/// Of a shell: from below its upper half, from inside and from above, also from space, all between where the line enters
-/// the outer sphere and where it leaves it or goes down to the planet's ground; `cloud_vacancy` leads over the gap below the
-/// layer, if there is one.
+/// Of a shell: from below its upper half, from inside and from above, also from space, all between where the line
+/// enters the outer sphere and where it leaves it or goes down to the planet's ground; `cloud_vacancy` leads over the
+/// gap below the layer, if there is one.
 fn cloud_span(origin: vec3f, direction: vec3f) -> RaySpan {
     let low = clouds.base;
     let high = clouds.base + clouds.thickness * cloud_end();
@@ -411,11 +429,12 @@ fn cloud_extinction(p: vec3f, footprint: f32) -> f32 {
 /// Where ahead of `origin` a ray can meet clouds: from x to y (m), nowhere if x >= y.
 fn cloud_ahead(origin: vec3f, direction: vec3f) -> vec2f {
     let span = cloud_span(origin, direction);
-    return vec2f(max(span.near, 0.0), min(span.far, clouds.far));
+    let near = max(span.near, 0.0);
+    return vec2f(near, min(span.far, near + clouds.far));
 }
 
-/// Estimate of the optical depth straight above (x) and below (y) `p` (m), without a march: from the cover there and what
-/// the profile makes of mean noise.
+/// Estimate of the optical depth straight above (x) and below (y) `p` (m), without a march: from the cover there and
+/// what the profile makes of mean noise.
 fn cloud_depths(p: vec3f) -> vec2f {
     let height = clamp(cloud_height_fraction(p), 0.0, 1.0);
 #if clouds.form == weather
@@ -448,12 +467,13 @@ fn cloud_column(height: f32, cover: f32, stops: vec4f) -> vec2f {
     return depths * (clouds.extinction * clouds.thickness / f32(CLOUD_COLUMN));
 }
 
-/// Irradiance of level ground under the layer by sky and clouds together, in the mean over the land: what lights an overcast
-/// day. The sun's own beam is not in it (that is `day.sun` times `clouds_shadow`).
+/// Irradiance of level ground under the layer by sky and clouds together, in the mean over the land: what lights an
+/// overcast day. The sun's own beam is not in it (that is `day.sun` times `clouds_shadow`).
 ///
-/// The open part of the sky as it is, under the covered part what a slab of the clouds' mean depth lets through (Eddington).
+/// The open part of the sky as it is, under the covered part what a slab of the clouds' mean depth lets through
+/// (Eddington).
 fn clouds_irradiance(day: Daylight) -> vec3f {
-    let g = CLOUD_ASYMMETRY;
+    let g = mix(clouds.back, clouds.forward, clouds.forward_share);
     // Mean of a normal distribution beyond its threshold, near enough.
     let excess = 0.8 - 0.25 * clamp(cloud_score(clouds.coverage), -3.0, 2.0);
     let depths = cloud_column(0.0, CLOUD_BRINK + 0.35 * clouds.clumping * excess, cloud_stops(clouds.type));
@@ -466,28 +486,33 @@ fn clouds_irradiance(day: Daylight) -> vec3f {
     return mix(day.sky, of_sky * day.sky + of_sun * max(day.to_sun.y, 0.0) * day.sun, shaded);
 }
 
-/// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye; see <march/volume.wgsl>.
-fn cloud_source(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
+/// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye: factors of the
+/// irradiances of what faces the sun, of level ground, and of what the ground throws back; see <march/volume.wgsl>.
+fn cloud_lit(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
+    let medium = CloudMedium(clouds.forward, clouds.back, clouds.forward_share, clouds.albedo);
     let to_sun = key_direction();
+#if clouds.shape == shell
+    let up = normalize_or(p + vec3f(0.0, sky.ground_radius, 0.0), vec3f(0.0, 1.0, 0.0));
+#else
+    let up = vec3f(0.0, 1.0, 0.0);
+#endif
     let cos_theta = dot(direction, to_sun);
-    let first = exp(-light_depth) * phase_two_lobe(cos_theta, 0.8, -0.3, 0.85);
-    // Light turned by small angles only is as good as a beam that is dimmed less.
-    let g = CLOUD_ASYMMETRY;
-    let beam = exp(-(1.0 - g) * light_depth);
-    let broad = (beam - exp(-light_depth)) * phase_henyey_greenstein(cos_theta, 0.5);
-    // The rest is diffuse (Eddington), seen from the inside of what hides it.
-    let mu = max(to_sun.y, 0.3);
-    let column = (1.0 - g) * cloud_depths(p);
-    let sunward = (1.0 - g) * light_depth * mu;
-    let depths = vec2f(mix(column.x, sunward, 0.6), column.y);
-    let whole = depths.x + depths.y;
-    let inward = clamp(depths.x - 0.67 * direction.y, 0.0, whole);
-    let passed = (0.667 + mu + (0.667 - mu) * exp(-whole / mu)) / (1.333 + whole);
-    let field = 2.0 * (1.0 - passed) + 3.0 * (mu * (1.0 - exp(-inward / mu)) - passed * inward);
-    let diffuse = mu * 0.0795775 * max(field, 0.0);
-    let from_sky = (whole - inward + 0.667) / (whole + 1.333);
-    let from_ground = (inward + 0.667) / (whole + 1.333);
-    return vec3f(first + broad + diffuse, 0.31831 * from_sky, 0.31831 * from_ground);
+    let view_mu = dot(direction, up);
+    let depths = cloud_depths(p);
+    let sun_depth = light_depth / clouds.penetration;
+#if clouds.scattering == once
+    var sunny = cloud_source_single(cos_theta, sun_depth, medium);
+#elif clouds.scattering == octaves
+    var sunny = cloud_source_octaves(cos_theta, sun_depth, depths.x, depths.y, 6, medium);
+#else
+    var sunny = cloud_source(cos_theta, dot(to_sun, up), view_mu, sun_depth, depths.x, depths.y, medium);
+#endif
+    let lobes = cloud_lobes(cos_theta, 1.0, medium);
+    let lining = cloud_silver_lining(cos_theta, lobes, clouds.silver_lining, clouds.silver_spread) - lobes;
+    let powder = mix(1.0, cloud_powder(sun_depth), clouds.powder);
+    sunny = max(sunny + clouds.albedo * exp(-sun_depth) * lining, 0.0) * powder;
+    let ambient = cloud_ambient_source(view_mu, depths.x, depths.y, medium);
+    return vec3f(sunny, 0.31830989 * ambient);
 }
 
 /// What a ray sees of the clouds.
@@ -520,24 +545,27 @@ fn clouds_trace(
     }
     var how = cloud_effort();
     how.pixel_angle = pixel_angle;
+    how.growth = min(how.growth, (end - begin) / (12.0 * end)); // from far away the layer is thin
     let seen = cloud_volume_march(origin, direction, begin, end, day.to_sun, jitter, how);
     // The ground beneath is in the shadow of clouds where these are.
     let lit_ground = (1.0 - 0.7 * clouds.coverage) * max(day.to_sun.y, 0.0) * day.sun + day.sky;
-    let radiance = seen.radiance.x * day.sun + seen.radiance.y * day.sky + seen.radiance.z * clouds.ground * lit_ground;
+    // And flanks see other clouds where they would see the sky.
+    let around = mix(day.sky, clouds_irradiance(day), 0.4);
+    let radiance = seen.radiance.x * day.sun + seen.radiance.y * around + seen.radiance.z * clouds.ground * lit_ground;
     return CloudsSeen(radiance, seen.transmittance, seen.distance);
 }
 
-/// How much work the march does.
+/// How much work the march does. All its turns stay far below what software GPUs allow.
 fn cloud_effort() -> cloud_volume_Volume {
     let probe = 0.015 * clouds.scale;
 #if quality == low
-    return cloud_volume_Volume(0.15, 0.35, 4, 1.6 * probe, 0.02, 0.2 * probe, 64, 0.02, 0.0);
+    return cloud_volume_Volume(0.13, 0.3, 4, 1.6 * probe, 0.02, 0.2 * probe, 64, 0.02, 0.0);
 #elif quality == medium
-    return cloud_volume_Volume(0.1, 0.25, 5, 1.3 * probe, 0.015, 0.15 * probe, 96, 0.015, 0.0);
+    return cloud_volume_Volume(0.08, 0.2, 6, 1.2 * probe, 0.012, 0.12 * probe, 112, 0.015, 0.0);
 #elif quality == high
-    return cloud_volume_Volume(0.07, 0.18, 6, probe, 0.007, 0.1 * probe, 192, 0.01, 0.0);
+    return cloud_volume_Volume(0.045, 0.11, 8, 0.75 * probe, 0.007, 0.06 * probe, 208, 0.008, 0.0);
 #else
-    return cloud_volume_Volume(0.04, 0.1, 8, 0.7 * probe, 0.007, 0.05 * probe, 256, 0.005, 0.0);
+    return cloud_volume_Volume(0.03, 0.08, 10, 0.6 * probe, 0.005, 0.04 * probe, 320, 0.004, 0.0);
 #endif
 }
 

@@ -58,8 +58,9 @@ fn planar_clouds_depth(place: vec2f, footprint: f32) -> f32 {
 
 /// The clouds on the plane between `near` and `far` (m) along the unit `direction`, in the light of `day`.
 ///
-/// A slab of the depth that is found where the ray crosses the plane: its first order of scattering, the rest as a slab of
-/// that thickness passes on or throws back. From above and below; nothing where the ray does not cross. One fBm.
+/// A slab of the depth that is found where the ray crosses the plane: its first order of scattering, the rest as a
+/// slab of that thickness passes on or throws back. From above and below; nothing where the ray does not cross. One
+/// fBm.
 fn planar_clouds_trace(
     origin: vec3f,
     direction: vec3f,

@@ -67,7 +67,7 @@ fn phase_draine(cos_theta: f32, g: f32, alpha: f32) -> f32 {
 ///
 /// `droplet_diameter`: 5 .. 50 um, the range of the fit for clouds and fog; held within it. With the fit's numbers as in
 /// `phase_hg_draine_lobes`, the mean cosine is (1 - w) g_hg + w times that of the Draine lobe: .8434 (5 um) to .8912
-/// (50 um). The peak is up to 18,700 / sr high.
+/// (50 um). The peak is up to 18,700 / sr high; relative error below 3e-5.
 fn phase_hg_draine(cos_theta: f32, droplet_diameter: f32) -> f32 {
     let lobes = phase_hg_draine_lobes(droplet_diameter);
     let narrow = phase_henyey_greenstein(cos_theta, lobes.x);

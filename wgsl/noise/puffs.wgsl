@@ -9,7 +9,7 @@ const PUFF_RADIUS: f32 = 0.7;
 /// `puff_noise3` is nowhere steeper: 2 / `PUFF_RADIUS`, at a puff's rim.
 const PUFF_NOISE3_SLOPE: f32 = 2.8572;
 /// Mean of `puff_noise3`.
-const PUFF_NOISE3_MEAN: f32 = 0.4637;
+const PUFF_NOISE3_MEAN: f32 = 0.462;
 
 /// Heaps in space: 1 in the middle of each puff, 1 - (d / radius)² around it, the largest where several overlap, 0
 /// between them. 0 .. 1, continuous.

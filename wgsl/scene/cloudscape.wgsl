@@ -66,13 +66,15 @@ fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         way = sea;
         let spot = origin + way * direction;
         let sunlit = clouds_shadow(spot, day.to_sun) * max(day.to_sun.y, 0.0) * day.sun;
+        let from_above = clouds_irradiance(day);
         let up = cloudscape_up(spot);
         // Waves tilt what is seen at a grazing angle: it never mirrors all.
         let mirrored = fresnel_schlick(max(-dot(direction, up), 0.22), vec3f(0.02));
         let glint = normalize_or(day.to_sun - direction, up);
-        let slopes = (1.0 - pow(dot(glint, up), 2.0)) / max(pow(dot(glint, up), 2.0), 1e-4);
+        let facing = dot(glint, up);
+        let slopes = (1.0 - facing * facing) / max(facing * facing, 1e-4);
         let glitter = 0.02 * exp(-slopes / 0.03) / 0.03 * sunlit;
-        behind = (0.31831 * cloudscape.water * (sunlit + day.sky) + mirrored * 0.31831 * day.sky) + 0.25 * glitter;
+        behind = 0.31830989 * (cloudscape.water * (sunlit + from_above) + mirrored * from_above) + 0.25 * glitter;
     }
 #endif
     var front = clouds_trace(origin, direction, 0.0, way, jitter, camera_pixel_angle(), day);
