@@ -23,7 +23,7 @@ const PLAIN: (i32, i32) = (64, 12);
 /// Steps of the reference that one invocation takes: lavapipe ends loops at 65,535 turns in all, the density's included.
 const SLICE: i32 = 64;
 /// How many times more the rays are marched for the time.
-const TIMES: usize = 3;
+const TIMES: usize = 2;
 const EQUAL_BAR: f64 = 40.0;
 
 struct Scene {
