@@ -2,7 +2,7 @@
 
 #include <clouds/layer.wgsl>
 #include <sun/key.wgsl>
-#include <march/volume.wgsl> as ours with density = cloud_extinction, vacancy = cloud_vacancy, span = cloud_ahead, source = cloud_source
+#include <march/volume.wgsl> as ours with density = cloud_extinction, vacancy = cloud_vacancy, span = cloud_ahead, source = cloud_lit
 
 /// The library's march through all of the layer.
 fn bench_ours(origin: vec3f, direction: vec3f, jitter: f32, how: ours_Volume) -> ours_VolumeSeen {
@@ -63,7 +63,7 @@ fn bench_plain(
             light = -1;
             let through = exp(-extinction * width);
             let weight = seen.transmittance * (1.0 - through);
-            seen.radiance += weight * cloud_source(place, direction, extinction, light_depth);
+            seen.radiance += weight * cloud_lit(place, direction, extinction, light_depth);
             seen.transmittance *= through;
         }
     }

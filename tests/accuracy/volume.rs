@@ -71,13 +71,7 @@ const BEFORE: f64 = -1.0;
 
 /// The numbers of a march along x from `near` to `far`, light going to `light` along x: radiance, transmittance, distance,
 /// steps, evaluations.
-fn marched(
-    name: &str,
-    how: &str,
-    (near, far): (f64, f64),
-    light: f64,
-    points: &[[f32; 3]],
-) -> Vec<Vec<f64>> {
+fn marched(name: &str, how: &str, (near, far): (f64, f64), light: f64, points: &[[f32; 3]]) -> Vec<Vec<f64>> {
     let march = format!(
         "{name}_march(vec3f(0.0, y, z), vec3f(1.0, 0.0, 0.0), {near:?}, {far:?}, vec3f({light:?}, 0.0, 0.0), jitter, \
          {name}_Volume({how}))"
@@ -160,7 +154,8 @@ fn layers_and_blobs_come_near_the_truth() {
                 errors[2] = errors[2].max((behind[0] - radiance).abs());
                 errors[3] = errors[3].max((behind[4] - distance).abs());
             }
-            let what = ["transmittance", "radiance, lit from before", "radiance, lit from behind", "distance (m)"];
+            let what =
+                ["transmittance", "radiance, lit from before", "radiance, lit from behind", "distance (m)"];
             for ((what, error), bound) in what.into_iter().zip(errors).zip(bounds) {
                 report.at_most(&format!("{called}, {name}: error of {what}"), error, bound);
             }
@@ -175,8 +170,7 @@ fn layers_and_blobs_come_near_the_truth() {
 fn jitter_leaves_the_mean_where_it_is() {
     let mut report = Report::new(SECTION, "jitter_leaves_the_mean_where_it_is");
     for (kind, called) in KINDS.iter().enumerate() {
-        let points: Vec<[f32; 3]> =
-            (0..256).map(|i| [0.01, kind as f32, (i as f32 + 0.5) / 256.0]).collect();
+        let points: Vec<[f32; 3]> = (0..256).map(|i| [0.01, kind as f32, (i as f32 + 0.5) / 256.0]).collect();
         let rows = marched("lit", MIDDLE, (0.0, 900.0), BEFORE, &points);
         let mean = |column: usize| rows.iter().map(|row| row[column]).sum::<f64>() / rows.len() as f64;
         let truth = seen(field(kind, 0.01), 0.0, 900.0, 1000.0).transmittance;

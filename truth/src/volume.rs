@@ -13,7 +13,7 @@ pub struct Seen {
 
 /// The line from `near` to `far` (m), through `density` (1/m) that reaches up to `end` (m), from where it is lit.
 pub fn seen(density: impl Fn(f64) -> f64, near: f64, far: f64, end: f64) -> Seen {
-    const CELLS: usize = 400_000;
+    const CELLS: usize = 100_000;
     let cell = (end - near) / CELLS as f64;
     let depths: Vec<f64> =
         (0..CELLS).map(|index| density(near + (index as f64 + 0.5) * cell) * cell).collect();
@@ -38,7 +38,7 @@ pub fn seen(density: impl Fn(f64) -> f64, near: f64, far: f64, end: f64) -> Seen
 
 /// What comes through `density` (1/m) from `near` to `far` (m).
 pub fn through(density: impl Fn(f64) -> f64, near: f64, far: f64) -> f64 {
-    const CELLS: usize = 400_000;
+    const CELLS: usize = 100_000;
     let cell = (far - near) / CELLS as f64;
     let depth: f64 = (0..CELLS).map(|index| density(near + (index as f64 + 0.5) * cell) * cell).sum();
     (-depth).exp()
