@@ -116,7 +116,7 @@ fn air_path_to_infinity(shells: AirShells, place: AirPlace, densities: vec2f) ->
 
 /// Optical paths (m) of `distance` (m) on from `place`, by kind: the difference of two paths to infinity.
 ///
-/// Of a short way the error is up to half a metre of such air (f32 holds no more of a path to infinity): nothing that one
+/// Of a short way the error is up to a metre of such air (f32 holds no more of a path to infinity): nothing that one
 /// could see; never negative.
 fn air_path_between(shells: AirShells, place: AirPlace, distance: f32) -> vec3f {
     let end = air_place_after(place, distance, shells.radius);
