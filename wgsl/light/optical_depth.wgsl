@@ -64,7 +64,8 @@ fn chapman_rising(x: vec2f, mu: f32) -> vec2f {
 
 /// Optical path (m) of a rising ray through the tent: elementary, since the height along a ray is almost a parabola.
 ///
-/// Hermite quadrature, mended by the fourth derivative, between the heights where the tent bends; error below 1e-4 of it at Earth's radius.
+/// Hermite quadrature, mended by the fourth derivative, between the heights where the tent bends; error below 1e-4 of it at
+/// Earth's radius.
 fn air_path_tent(shells: AirShells, height: f32, mu: f32) -> f32 {
     let r = shells.radius + height;
     let low = shells.tent_center - shells.tent_half_width;
