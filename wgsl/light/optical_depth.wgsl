@@ -64,7 +64,8 @@ fn chapman_rising(x: vec2f, mu: f32) -> vec2f {
 
 /// Optical path (m) of a rising ray through the tent: elementary, since the height along a ray is almost a parabola.
 ///
-/// Cubic Hermite quadrature between the heights where the tent bends; error below 1e-4 of it at Earth's radius.
+/// Hermite quadrature, mended by the fourth derivative, between the heights where the tent bends; error below 1e-4 of it at
+/// Earth's radius.
 fn air_path_tent(shells: AirShells, height: f32, mu: f32) -> f32 {
     let r = shells.radius + height;
     let low = shells.tent_center - shells.tent_half_width;
@@ -83,8 +84,11 @@ fn air_path_tent(shells: AirShells, height: f32, mu: f32) -> f32 {
     let falling = high - knots.yz;
     let first = t.y - t.x;
     let second = t.z - t.y;
-    let twice = first * (rising.x + rising.y + first * (slope.x - slope.y) / 6.0)
-        + second * (falling.x + falling.y + second * (slope.z - slope.y) / 6.0);
+    let span = vec2f(first, second);
+    let bent = span * span / r; // what is not a parabola: its fourth derivative is -3 / r^3
+    let quartic = bent * bent * span / (120.0 * r);
+    let twice = first * (rising.x + rising.y + first * (slope.x - slope.y) / 6.0) - quartic.x
+        + second * (falling.x + falling.y + second * (slope.z - slope.y) / 6.0) + quartic.y;
     return max(0.5 * twice / shells.tent_half_width, 0.0);
 }
 
@@ -116,7 +120,7 @@ fn air_path_to_infinity(shells: AirShells, place: AirPlace, densities: vec2f) ->
 
 /// Optical paths (m) of `distance` (m) on from `place`, by kind: the difference of two paths to infinity.
 ///
-/// Of a short way the error is up to half a metre of such air (f32 holds no more of a path to infinity): nothing that one
+/// Of a short way the error is up to a metre of such air (f32 holds no more of a path to infinity): nothing that one
 /// could see; never negative.
 fn air_path_between(shells: AirShells, place: AirPlace, distance: f32) -> vec3f {
     let end = air_place_after(place, distance, shells.radius);
