@@ -39,7 +39,7 @@ const FRAGMENT: &str = "#include <planet/height.wgsl>
     }";
 
 fn preset(settings: &[&str]) -> Preset {
-    let mut preset = Preset::of_text("planet", FRAGMENT);
+    let mut preset = Preset::of_module("planet/height.wgsl");
     for setting in settings {
         preset.set(setting).unwrap();
     }
