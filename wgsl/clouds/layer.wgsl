@@ -272,6 +272,7 @@ fn cloud_end() -> f32 {
 
 #else
 
+/// The fraction of the layer above which there is no cloud anywhere: all of it may hold some.
 fn cloud_end() -> f32 {
     return 1.0;
 }

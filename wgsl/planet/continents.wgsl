@@ -2,6 +2,7 @@
 
 #include <math/precise.wgsl>
 #include <noise/perlin.wgsl>
+#include <planet/forms.wgsl>
 
 /// Part of the planet that lies below sea level, on average over many planets.
 #param planet.ocean: f32 = 0.68, range 0.02 .. 0.98

@@ -2,6 +2,7 @@
 
 #include <math/precise.wgsl>
 #include <noise/perlin.wgsl>
+#include <planet/forms.wgsl>
 
 /// Part of the places for a crater that have one.
 #param planet.craters: f32 = 0.45, range 0 .. 1
