@@ -6,6 +6,7 @@
 #include <quality.wgsl>
 #include <sky/air.wgsl>
 #include <sky/cirrus.wgsl>
+#include <sky/medium.wgsl>
 #include <sky/sky.wgsl>
 
 /// Whether a layer of clouds is in the sky: the group `clouds`.
@@ -136,10 +137,16 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
 const WEATHER_AIR_HEIGHT: f32 = 3000.0; // m
 
 /// Part of the air along a ray that lies below `ceiling` (m), 0 .. 1: `y` (m) is the origin's height, `climb` the
-/// direction's, `distance` (m) the ray's length.
+/// direction's, `distance` (m) the ray's length. Over a round planet a ray that goes down comes up again.
 fn weather_share_below(y: f32, climb: f32, distance: f32, ceiling: f32) -> f32 {
+    let way = min(distance, 1e7);
+    var last = y + climb * way;
+#if sky.model == atmosphere
+    let lowest = clamp(-climb * sky.ground_radius, 0.0, way); // where it does
+    last = select(last, y + climb * lowest + 0.5 * lowest * lowest / sky.ground_radius, climb < 0.0);
+#endif
     let start = clamp(y / WEATHER_AIR_HEIGHT, -3.0, 30.0);
-    let end = clamp((y + climb * min(distance, 1e7)) / WEATHER_AIR_HEIGHT, -3.0, 30.0);
+    let end = clamp(last / WEATHER_AIR_HEIGHT, -3.0, 30.0);
     let edge = ceiling / WEATHER_AIR_HEIGHT;
     // A little of the air at the start stands in for all of it where a ray runs level.
     let all = abs(exp(-start) - exp(-end)) + 1e-4;
