@@ -1,5 +1,8 @@
 // How large the forms of a planet's ground are, whatever shaped them.
 
+#include <math/precise.wgsl>
+#include <noise/perlin.wgsl>
+
 /// Which planet of its kind: another seed, another planet.
 #param planet.seed: u32 = 1
 /// Width of the largest forms.
@@ -19,4 +22,12 @@
 /// Width of the finest forms (m): the unit of precise places.
 fn planet_grain() -> f32 {
     return planet.scale * exp2(-f32(planet.octaves));
+}
+
+/// Noise `i` of a map at `place` (grains), its forms 2^`level` grains wide: (value -1 .. 1, slope per grain along x and y).
+fn forms_octave(place: Precise, level: i32, i: i32) -> vec3f {
+    let scaled = precise_coarser(place, u32(level));
+    let shift = f32(i) * vec2f(7.31, 3.83);
+    let n = perlin_noise2_at_grad(scaled.cell.xy, scaled.fraction.xy + shift, planet.seed + u32(i));
+    return vec3f(n.x, exp2(-f32(level)) * n.yz);
 }
