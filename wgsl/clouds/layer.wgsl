@@ -475,8 +475,9 @@ fn cloud_column(height: f32, cover: f32, stops: vec4f) -> vec2f {
 /// (Eddington).
 fn clouds_irradiance(day: Daylight) -> vec3f {
     let g = mix(clouds.back, clouds.forward, clouds.forward_share);
-    // Mean of a normal distribution beyond its threshold, near enough.
-    let excess = 0.8 - 0.25 * clamp(cloud_score(clouds.coverage), -3.0, 2.0);
+    // By how much a normal distribution exceeds a threshold where it does, in the mean: within 6 % from -4 to 1.
+    let score = clamp(cloud_score(clouds.coverage), -4.0, 1.5);
+    let excess = 0.8 + score * (0.118 * score - 0.363);
     let depths = cloud_column(0.0, CLOUD_BRINK + 0.35 * clouds.clumping * excess, cloud_stops(clouds.type));
     let depth = (1.0 - g) * (depths.x + depths.y);
     let mu = max(day.to_sun.y, 0.05);
