@@ -272,6 +272,7 @@ fn cloud_end() -> f32 {
 
 #else
 
+/// The fraction of the layer above which there is no cloud anywhere: all of it may hold some.
 fn cloud_end() -> f32 {
     return 1.0;
 }
@@ -555,17 +556,17 @@ fn clouds_trace(
     return CloudsSeen(radiance, seen.transmittance, seen.distance);
 }
 
-/// How much work the march does. All its turns stay far below what software GPUs allow.
+/// How much work the march does: rungs of the ladder that `cargo bench --bench clouds` climbs.
 fn cloud_effort() -> cloud_volume_Volume {
-    let probe = 0.015 * clouds.scale;
+    let unit = clouds.scale / 1000.0;
 #if quality == low
-    return cloud_volume_Volume(0.13, 0.3, 4, 1.6 * probe, 0.02, 0.2 * probe, 64, 0.02, 0.0);
+    return cloud_volume_Volume(0.4, 1.0, 8, 18.5 * unit, 0.014, 3.1 * unit, 64, 0.05, 0.0);
 #elif quality == medium
-    return cloud_volume_Volume(0.08, 0.2, 6, 1.2 * probe, 0.012, 0.12 * probe, 112, 0.015, 0.0);
+    return cloud_volume_Volume(0.2, 0.5, 10, 13.0 * unit, 0.009, 1.5 * unit, 128, 0.02, 0.0);
 #elif quality == high
-    return cloud_volume_Volume(0.045, 0.11, 8, 0.75 * probe, 0.007, 0.06 * probe, 208, 0.008, 0.0);
+    return cloud_volume_Volume(0.1, 0.25, 12, 9.6 * unit, 0.006, 1.15 * unit, 192, 0.01, 0.0);
 #else
-    return cloud_volume_Volume(0.03, 0.08, 10, 0.6 * probe, 0.005, 0.04 * probe, 320, 0.004, 0.0);
+    return cloud_volume_Volume(0.1, 0.2, 16, 7.0 * unit, 0.005, 0.77 * unit, 256, 0.004, 0.0);
 #endif
 }
 

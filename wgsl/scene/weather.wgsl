@@ -86,6 +86,7 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
 
     // The air up to each layer counts by how much is seen of that layer, and all of it by what shows behind them.
     var seen = SkyAir(vec3f(0.0), vec3f(0.0), vec3f(0.0));
+    var from_clouds = vec3f(0.0);
     var left = 1.0;
     for (var i = 2 - WEATHER_LAYERS; i <= 2; i++) {
         var met = WeatherLayer(vec3f(0.0), 0.0, distance);
@@ -103,7 +104,8 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
         let air = sky_air(origin, direction, met.distance);
         let share = left * (1.0 - met.transmittance);
         seen.from_sun += share * air.from_sun;
-        seen.from_sky += share * air.from_sky + left * air.transmittance * met.radiance;
+        seen.from_sky += share * air.from_sky;
+        from_clouds += left * air.transmittance * met.radiance;
         if i == 2 {
             seen.transmittance = left * air.transmittance;
         }
@@ -111,7 +113,7 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
     }
 #if weather.clouds
     // Under the clouds the air scatters what they let through.
-    let reach = select(distance, first.distance, first.transmittance < 0.05);
+    let reach = mix(first.distance, min(distance, 1e5), first.transmittance);
     let under = weather_share_below(origin.y, direction.y, reach, clouds.base + 0.3 * clouds.thickness);
     var sunny = 1.0 - 0.8 * clouds.coverage;
 #if weather.shafts
@@ -122,6 +124,7 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
     seen.from_sun *= 1.0 - under * (1.0 - sunny);
     seen.from_sky *= 1.0 - under * (1.0 - clamp(dimmed, vec3f(0.0), vec3f(1.0)));
 #endif
+    seen.from_sky += from_clouds;
     if distance < RAY_FAR {
         return seen;
     }
