@@ -66,11 +66,34 @@ fn weather_sun_seen(position: vec3f, day: Daylight) -> f32 {
 /// Air and clouds on the way from `origin` to `distance` (m) along the unit `direction`, from `RAY_FAR` on all the way out,
 /// in the light of `day`. `jitter`: 0 .. 1, another one for each pixel.
 fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day: Daylight) -> SkyAir {
+    return weather_air_blurred(origin, direction, distance, jitter, 0.0, day);
+}
+
+/// As `weather_air`, of the ray that a rough mirror reflects, for the mean over an angle of about `blur` (rad): the clouds
+/// of the group `clouds` are blurred into their mean from .03 on, and not marched from .09 on.
+fn weather_air_blurred(
+    origin: vec3f,
+    direction: vec3f,
+    distance: f32,
+    jitter: f32,
+    blur: f32,
+    day: Daylight,
+) -> SkyAir {
     var first = WeatherLayer(vec3f(0.0), 1.0, distance);
     var second = first; // the farther one
 #if weather.clouds
     let at_low = sky_daylight(vec3f(origin.x, clouds.base + 0.5 * clouds.thickness, origin.z));
-    let low = clouds_trace(origin, direction, 0.0, distance, jitter, camera_pixel_angle(), at_low);
+    let blurred = smoothstep(0.03, 0.09, blur);
+    var low = CloudsSeen(vec3f(0.0), 1.0, distance);
+    if blurred < 1.0 {
+        low = clouds_trace(origin, direction, 0.0, distance, jitter, max(camera_pixel_angle(), blur), at_low);
+    }
+    if blurred > 0.0 {
+        let mean = clouds_mean(origin, direction, distance, at_low);
+        low.radiance = mix(low.radiance, mean.radiance, blurred);
+        low.transmittance = mix(low.transmittance, mean.transmittance, blurred);
+        low.distance = mix(low.distance, mean.distance, blurred);
+    }
     first = WeatherLayer(low.radiance, low.transmittance, low.distance);
 #endif
 #if weather.second_layer
