@@ -45,7 +45,7 @@ struct WeatherLayer {
 fn weather_daylight(position: vec3f) -> Daylight {
     var day = sky_daylight(position);
 #if weather.clouds
-    let above = clamp((position.y - clouds.base) / clouds.thickness, 0.0, 1.0);
+    let above = clamp(cloud_height_fraction(position), 0.0, 1.0);
     day.sky = mix(clouds_irradiance(day), day.sky, above);
 #endif
     return day;
