@@ -30,7 +30,7 @@ fn cloud_source_single(cos_theta: f32, sun_depth: f32, medium: CloudMedium) -> f
 /// `cos_theta`: between the ray from the eye and the direction to the sun; `sun_mu`, `view_mu`: cosines of the zenith
 /// angles of the sun and of the ray. Depths from the point: `sun_depth` to the sun, `depth_above` straight up,
 /// `depth_below` straight down. Where the sun is nearer than it would be in a level layer, as in the flank of a heap, the
-/// layer is taken as turned toward it. >= 0.
+/// layer is taken as turned toward it, and as no thinner for that. >= 0.
 ///
 /// In layers of g .8 and -.3 (share .85) and albedo 1 of thickness .5 .. 64, for suns 0 .. 80 degrees from the zenith and
 /// views of 0 .. 80, within 25 % of the path-traced radiance (10 % in the mean). What leaves a layer is no more than what
@@ -61,7 +61,7 @@ fn cloud_source(
     let albedo = min(medium.albedo, 0.999999);
     let scale = 1.0 - albedo * peak;
     let depth = to_sun * mu * scale;
-    let rest = far * scale;
+    let rest = max(far, lit + far - to_sun * mu) * scale; // turned, it is as thick as it is level
     let field = cloud_field(depth, rest, mu, (1.0 - peak) * albedo / scale, (mean - peak) / (1.0 - peak));
 
     // Numbers below are fitted to path-traced layers. Two streams know nothing of rays and beams that graze the layer.
@@ -117,8 +117,8 @@ fn cloud_ambient_source(view_mu: f32, depth_above: f32, depth_below: f32, medium
     let along = clamp(mean, -0.66, 0.66) * view_mu;
     if medium.albedo >= 0.999999 {
         let flux = 1.0 / (4.0 / 3.0 + (1.0 - mean) * (above + below));
-        let sky = (2.0 / 3.0 + along + (1.0 - mean) * below) * flux;
-        return vec2f(sky, 1.0 - sky);
+        let from_sky = (2.0 / 3.0 + along + (1.0 - mean) * below) * flux;
+        return vec2f(from_sky, 1.0 - from_sky);
     }
     // Falls off as sinh and cosh; everything over exp(rate (above + below)), so that nothing overflows.
     let rate = sqrt(3.0 * (1.0 - medium.albedo) * (1.0 - medium.albedo * mean));
@@ -156,20 +156,20 @@ fn cloud_field(depth: f32, rest: f32, mu: f32, albedo: f32, g: f32) -> vec2f {
     let lost = 1.0 - albedo;
     let kept = 1.0 - albedo * g;
     let rate = sqrt(3.0 * lost * kept);
-    let sun = select(mu, 0.99 / rate, abs(1.0 - rate * mu) < 0.01); // off the resonance
-    let driven = 0.2387324 * albedo / (1.0 - rate * rate * sun * sun); // 3 / 4 pi
-    let level = driven * sun * sun * (1.0 + g * lost);
-    let slope = driven * sun * (1.0 + 3.0 * g * lost * sun * sun);
+    let slant = select(mu, 0.99 / rate, abs(1.0 - rate * mu) < 0.01); // off the resonance
+    let driven = 0.2387324 * albedo / (1.0 - rate * rate * slant * slant); // 3 / 4 pi
+    let level = driven * slant * slant * (1.0 + g * lost);
+    let slope = driven * slant * (1.0 + 3.0 * g * lost * slant * slant);
     let ratio = sqrt(3.0 * lost / kept);
     let outer = 1.0 + 2.0 / 3.0 * ratio;
     let inner = 1.0 - 2.0 / 3.0 * ratio;
 
     let fall = exp(-rate * depth);
     let rise = exp(-rate * rest);
-    let beam = exp(-depth / sun);
+    let beam = exp(-depth / slant);
     let whole = fall * rise * inner;
     let top = level + 2.0 / 3.0 * slope;
-    let bottom = beam * exp(-rest / sun) * (level - 2.0 / 3.0 * slope);
+    let bottom = beam * exp(-rest / slant) * (level - 2.0 / 3.0 * slope);
     let norm = 1.0 / (outer * outer - whole * whole);
     let down = (top * outer - bottom * whole) * norm * fall;
     let back = (bottom * outer - top * whole) * norm * rise;

@@ -24,10 +24,12 @@
 
 const SHELL_CYCLONES: u32 = 14u;
 const SHELL_FORWARD: f32 = 0.85; // mean cosine of the angle that droplets scatter by
-const SHELL_OCTAVES: f32 = 10.0;
+const SHELL_OCTAVES: f32 = 11.5;
+const SHELL_FLECKS: f32 = 32.0; // how much smaller the largest flecks are than the largest fields
+const SHELL_LARGE: f32 = 5.0; // log2 of that
 
 /// How thick the clouds are above the unit `direction` from the planet's centre, in the planet's own axes: 0 clear .. 1. A
-/// pixel covers `footprint` (rad) of it. Three noises and up to ten octaves.
+/// pixel covers `footprint` (rad) of it. Three noises and up to fourteen octaves.
 fn shell_at(direction: vec3f, footprint: f32) -> f32 {
     // Cyclones wind the map up, against the clock on the north, with it on the south.
     var q = direction;
@@ -50,13 +52,18 @@ fn shell_at(direction: vec3f, footprint: f32) -> f32 {
     let octaves = min(SHELL_OCTAVES, log2(shell.scale / max(2.0 * footprint, 1e-6)));
     // Longer from west to east than from north to south; what is small has formed since, and is not drawn out.
     let drawn = vec3f(swept.x, 1.5 * swept.y, swept.z);
-    let fields = shell_fbm3(drawn, shell.seed + 3u, clamp(octaves, 1.0, 5.0), 0.6, 2.03).x;
-    let flecks = shell_fbm3(35.0 * direction / shell.scale, shell.seed + 5u, octaves - 5.0, 0.76, 2.03).x;
+    let fields = shell_fbm3(drawn, shell.seed + 3u, clamp(octaves, 1.0, 6.0), 0.64, 2.03).x;
+    let fine = octaves - SHELL_LARGE;
+    let small = direction * (SHELL_FLECKS / shell.scale) + 0.25 * swept;
+    let flecks = shell_fbm3(small, shell.seed + 5u, fine, 0.84, 2.03).x;
     // Wet along the equator and in the westerlies, dry between and at the poles.
     let climate = 0.22 * cos(6.0 * asin(clamp(direction.y, -1.0, 1.0))) - 0.25 * direction.y * direction.y;
-    let threshold = 0.55 - 1.1 * shell.cover;
-    let thick = clamp((fields + 0.2 * flecks + climate - threshold) / 0.75, 0.0, 1.0);
-    return thick * thick * (3.0 - 2.0 * thick);
+    let above = fields + climate - (0.55 - 1.1 * shell.cover);
+    // Fronts with torn edges and lanes between their bands; beside them flocks of small heaps; around both thin veils.
+    let front = smoothstep(-0.05, 0.75, above + 0.17 * flecks) * (0.90 + 0.20 * flecks);
+    let heaps = 0.6 * smoothstep(0.25, 1.1, flecks + 1.6 * above);
+    let veil = 0.22 * smoothstep(-0.25, 0.35, above + 0.10 * flecks);
+    return clamp(max(max(front, heaps), veil), 0.0, 1.0);
 }
 
 /// `v` turned by `angle` (rad) about the unit `axis`, counter-clockwise as seen from its tip.

@@ -10,7 +10,7 @@
 /// Albedo of bare rock.
 #param planet.rock: vec3f = (0.20, 0.17, 0.14), color
 /// Albedo of snow and ice.
-#param planet.snow: vec3f = (0.80, 0.83, 0.87), color
+#param planet.snow: vec3f = (0.83, 0.85, 0.88), color
 /// Steepest slope that is not bare rock.
 #param planet.steepest: f32 = 34.0, range 0 .. 90, unit deg
 
@@ -28,7 +28,7 @@
 /// Albedo of grassland.
 #param planet.grass: vec3f = (0.13, 0.115, 0.048), color
 /// Albedo of deserts.
-#param planet.desert: vec3f = (0.37, 0.285, 0.175), color
+#param planet.desert: vec3f = (0.40, 0.33, 0.22), color
 /// Albedo of cold ground without snow.
 #param planet.tundra: vec3f = (0.14, 0.12, 0.085), color
 #else
@@ -48,11 +48,14 @@ struct PlanetCover {
     frozen: f32,
 }
 
-const COVER_TURNS: i32 = 14;
 const COVER_COARSEST: f32 = 2000000.0; // m
+// Noises of each kind: halving down to 2 km; a quarter as wide as the one before down to 8 km; from 31 km down to 2 m.
+const COVER_RAGGED: i32 = 11;
+const COVER_WIDE: i32 = 5;
+const COVER_FINE: i32 = 8;
 
-/// Two sums of noise at `p` (m), about -1 .. 1 each: (wide, from 2,000 km to 30 km; fine, below that down to a
-/// metre), of what a pixel `footprint` (m) wide shows; and a third, wide and unlike the first.
+/// Three sums of noise at `p` (m), about -1 .. 1 each: (ragged, from 2,000 km down to 2 km; fine, from 31 km down to two
+/// metres; wide and unlike the first), of what a pixel `footprint` (m) wide shows.
 fn planet_mottle(p: vec3f, footprint: f32) -> vec3f {
     let unit = planet_grain();
     let place = planet_place(p, unit);
@@ -60,31 +63,35 @@ fn planet_mottle(p: vec3f, footprint: f32) -> vec3f {
     let finest = max(log2(2.0 * footprint / unit), 0.0);
     var sum = vec3f(0.0);
     var strength = vec3f(0.8, 0.6, 0.8);
-    for (var i = 0; i < COVER_TURNS; i++) {
-        // Each a third or a quarter as wide as the one before: 7 wide ones, of two kinds by turns, then fine ones.
-        let level = top - select(6 + 2 * (i - 6), i, i < 6);
+    for (var i = 0; i < COVER_RAGGED + COVER_WIDE + COVER_FINE; i++) {
+        var level = top - i;
+        if i >= COVER_RAGGED + COVER_WIDE {
+            level = top - 6 - 2 * (i - COVER_RAGGED - COVER_WIDE);
+        } else if i >= COVER_RAGGED {
+            level = top - 2 * (i - COVER_RAGGED);
+        }
         let presence = clamp(f32(level) - finest, 0.0, 1.0);
         if level < 0 || presence <= 0.0 {
-            break;
+            continue;
         }
         let scaled = precise_coarser(place, u32(level));
         let n = presence * perlin_noise3_at(scaled.cell, scaled.fraction, planet.seed + 701u + u32(i));
-        if i >= 6 {
+        if i < COVER_RAGGED {
+            sum.x += strength.x * n;
+            strength.x *= 0.7;
+        } else if i < COVER_RAGGED + COVER_WIDE {
+            sum.z += strength.z * n;
+            strength.z *= 0.6;
+        } else {
             sum.y += strength.y * n;
             strength.y *= 0.8;
-        } else if (i & 1) == 0 {
-            sum.x += strength.x * n;
-            strength.x *= 0.8;
-        } else {
-            sum.z += strength.z * n;
-            strength.z *= 0.8;
         }
     }
     return sum;
 }
 
 /// What covers the ground at `p` (m), whose `height` is above sea level (m) and whose normal is tilted against the unit
-/// `up` by the slope (rise over run) of length `steepness`. Up to 14 noises.
+/// `up` by the slope (rise over run) of length `steepness`. Up to 24 noises.
 fn planet_cover_at(p: vec3f, up: vec3f, height: f32, steepness: f32, footprint: f32) -> PlanetCover {
     let mottle = planet_mottle(p, footprint);
     let pole = abs(dot(up, vec3f(planet_axes()[0].y, planet_axes()[1].y, planet_axes()[2].y))); // sine of the latitude
@@ -92,22 +99,25 @@ fn planet_cover_at(p: vec3f, up: vec3f, height: f32, steepness: f32, footprint: 
     let steep = smoothstep(0.8 * bare_from, 1.25 * bare_from, steepness * (1.0 + 0.3 * mottle.y));
 #if planet.cover == biomes
     let latitude = asin(min(pole, 1.0));
-    let warmth = planet.equator - planet.cooling * pole * pole - 0.0062 * max(height, 0.0) + 5.0 * mottle.x + 2.5 * mottle.y;
-    let belts = 0.5 + 0.42 * cos(6.0 * latitude) + 0.10 * smoothstep(0.6, 0.9, pole);
-    let wet = belts + 0.55 * mottle.z + 0.16 * mottle.y - 0.6 * planet.dryness;
-    let grassy = smoothstep(0.12, 0.5, wet);
-    let wooded = smoothstep(0.42, 0.80, wet + 0.1 * mottle.y) * smoothstep(-3.0, 4.0, warmth);
-    let woods = mix(planet.forest, planet.jungle, smoothstep(12.0, 22.0, warmth));
-    let sand = planet.desert * (1.0 + 0.25 * mottle.y + 0.2 * mottle.x);
-    var open = mix(sand, planet.grass * (1.0 + 0.3 * mottle.y), grassy);
-    open = mix(planet.tundra * (1.0 + 0.2 * mottle.y), open, smoothstep(-2.0, 8.0, warmth));
-    var albedo = mix(open, woods * (1.0 + 0.35 * mottle.y), wooded);
-    albedo = mix(albedo, planet.rock * (1.0 + 0.3 * mottle.y), max(steep, smoothstep(2200.0, 4200.0, height) * 0.6));
+    let ragged = 0.7 * mottle.x + 0.12 * mottle.y;
+    let warmth = planet.equator - planet.cooling * pole * pole - 0.0062 * max(height, 0.0) + 5.0 * mottle.z + 5.0 * ragged;
+    // Rain falls on the equator, little around the tropics, again in the westerlies, and more in the lowlands.
+    let belts = 0.08 + 0.72 * exp(-latitude * latitude / 0.05) + 0.58 * smoothstep(0.48, 0.76, latitude);
+    let lowland = 0.10 * exp(-max(height, 0.0) / 400.0);
+    let wet = belts + lowland + 0.50 * mottle.z + 0.60 * ragged - 0.6 * planet.dryness;
+    let sand = mix(planet.rock, planet.desert, smoothstep(-0.35, 0.15, mottle.x - mottle.z + 0.3 * mottle.y))
+        * (1.0 + 0.2 * mottle.y);
+    var open = mix(sand, planet.grass * (1.0 + 0.3 * mottle.y), smoothstep(0.16, 0.36, wet));
+    open = mix(planet.tundra * (1.0 + 0.3 * mottle.y), open, smoothstep(-4.0, 2.0, warmth));
+    let wooded = smoothstep(0.34, 0.58, wet) * smoothstep(-5.0, 0.0, warmth);
+    let woods = mix(planet.forest, planet.jungle, smoothstep(10.0, 20.0, warmth)) * (1.0 + 0.35 * mottle.y);
+    var albedo = mix(open, woods, wooded);
+    albedo = mix(albedo, planet.rock * (1.0 + 0.3 * mottle.y), max(steep, smoothstep(3200.0, 5200.0, height) * 0.6));
     let beach = 1.0 - smoothstep(2.0, 7.0, height + 2.0 * mottle.y);
     albedo = mix(albedo, planet.desert, beach * (1.0 - steep));
-    let snowy = smoothstep(-3.0, -9.0, warmth) * (1.0 - 0.8 * steep);
+    let snowy = smoothstep(-7.0, -10.0, warmth) * (1.0 - 0.8 * steep);
     albedo = mix(albedo, planet.snow * (1.0 + 0.08 * mottle.y), snowy);
-    let frozen = smoothstep(-13.0, -17.0, warmth + 1.5 * mottle.z);
+    let frozen = smoothstep(-12.0, -14.0, warmth);
 #else
     let dusty = smoothstep(-0.35, 0.35, mottle.x + 0.35 * mottle.y + 0.00006 * height);
     var albedo = mix(planet.bare, planet.dust, dusty) * (1.0 + 0.18 * mottle.y + 0.12 * mottle.z);

@@ -5,19 +5,23 @@
 
 #include <camera/camera.wgsl>
 #include <camera/display.wgsl>
+#include <frame.wgsl>
 #include <geometry/globe.wgsl>
 #include <geometry/ray.wgsl>
 #include <light/outdoor.wgsl>
 #include <march/globe.wgsl> as globe with above = planet_above
+#include <noise/interleaved_gradient.wgsl>
 #include <planet/globe.wgsl>
 #include <planet/height.wgsl>
 #include <planet/material.wgsl>
 #include <quality.wgsl>
+#include <scene/weather.wgsl>
 #include <sky/sky.wgsl>
 
 /// Whether there is a sea.
 #option planet.water = true
-/// Whether there are clouds.
+/// Whether there are clouds as they look from orbit. What they are up close, below some 50 km, `weather.clouds` shows, with
+/// `clouds.shape` = `shell`.
 #option planet.clouds = true
 /// Whether mountains throw shadows.
 #option planet.shadows = true
@@ -73,6 +77,12 @@ const PLANET_MIRRORED: i32 = 2;
 
 /// What is seen from `origin` (m) in the unit `direction`.
 fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
+    return planet_trace(origin, direction, 0.5);
+}
+
+/// As `scene_trace`; `jitter` is where in their first steps the marches through clouds begin, 0 .. 1: another one for each
+/// pixel turns bands into fine noise.
+fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     let pixel = camera_pixel_angle();
     let steps = globe_Steps(0.2, GROUND_GROWTH, GROUND_RELAX, GROUND_STEPS, 8, pixel);
     var far = RAY_FAR;
@@ -117,7 +127,9 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 #endif
     let to_key = key_direction();
     if ends {
-        let ground = planet_ground(end, footprint);
+        // Toward the limb a pixel is long and narrow: its mean width counts.
+        let covered = footprint * inverseSqrt(max(-dot(direction, up), 0.02));
+        let ground = planet_ground(end, covered);
         steepness = length(ground.slope);
         if land.hit && !near_sea && !leafy {
             // Half a pixel may be higher than all of the air: the rest of the way down.
@@ -125,7 +137,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             way = max(way, 0.0);
             end = origin + way * direction;
         }
-        let cover = planet_cover_at(end, up, ground.height, steepness, footprint);
+        let cover = planet_cover_at(end, up, ground.height, steepness, covered);
         albedo = cover.albedo;
         normal = planet_normal(up, ground.slope);
 #if planet.water
@@ -152,7 +164,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         var start_at = cloud_at;
         var ahead = 0.0;
         if i == 1 {
-            ahead = max(8000.0, 1.5 * pixel * cloud_way);
+            ahead = max(4000.0, 1.5 * pixel * cloud_way);
         } else if i == 2 {
             start_at = end;
             let climb = max(dot(up, to_key), 0.08);
@@ -161,7 +173,8 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         if (i == 2 && !ends) || (i < 2 && !meets) || (i == 1 && thick.x <= 0.0) {
             continue;
         }
-        let seen = pixel * select(cloud_way, way, i == 2) / sky.ground_radius;
+        let slant = max(abs(dot(direction, planet_up(start_at))), 0.02);
+        let seen = pixel * select(cloud_way, way, i == 2) * inverseSqrt(slant) / sky.ground_radius;
         thick[i] = shell_at(axes * planet_up(start_at + ahead * to_key), seen);
     }
 #endif
@@ -214,13 +227,18 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             toward = mirrored;
             distance = RAY_FAR;
         }
-        let day = sky_daylight(place);
+        let day = weather_daylight(place);
         let here = planet_up(place);
         let compass = globe_frame(here);
         let local_sun = day.to_sun * compass;
         var lit = vec3f(0.0);
         if i == PLANET_GROUND && ends {
             var sunlight = day.sun * sun_seen;
+#if weather.clouds || weather.second_layer
+            if sun_seen > 0.0 {
+                sunlight *= weather_sun_seen(end, day);
+            }
+#endif
 #if planet.clouds
             let over = shell_transmittance(shell_depth(thick.z));
             sunlight *= over;
@@ -251,7 +269,9 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
             let tau = shell_depth(thick.x);
             let between = shell_transmittance(2.0 * shell_depth(thick.y));
             let through = shell_transmittance(tau);
-            let irradiance = day.sun * max(local_sun.y, 0.0) * mix(0.5, 1.0, between) + day.sky;
+            // Heaps are bright on the side of the sun, dark on the other.
+            let relief = clamp(1.0 + 1.3 * (thick.x - thick.y), 0.5, 1.2);
+            let irradiance = day.sun * max(local_sun.y, 0.0) * relief * mix(0.6, 1.0, between) + day.sky;
             // Seen flat, a thin cloud hides more.
             cloud_opacity = 1.0 - shell_transmittance(tau / max(abs(dot(direction, here)), 0.15));
             let returned = select((1.0 - through) / max(cloud_opacity, 1e-4), through, inside);
@@ -259,7 +279,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
         }
 #endif
         let behind = select(lit, sky_beyond(toward), i == PLANET_GROUND && !ends);
-        let seen = sky_veil(behind, start_at, toward, distance);
+        let seen = sky_through(weather_air(start_at, toward, distance, jitter, day), behind);
         if i == PLANET_CLOUDS {
             cloud_radiance = seen;
         } else if i == PLANET_GROUND {
@@ -279,6 +299,7 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 fn main_image(frag_coord: vec2f) -> vec4f {
     let under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), 0.0).height;
     let ray = camera_ray(frag_coord, under);
-    let seen = scene_trace(ray.origin, ray.direction);
+    let jitter = interleaved_gradient_noise(frag_coord, frame.index);
+    let seen = planet_trace(ray.origin, ray.direction, jitter);
     return vec4f(display_color(seen.radiance, frag_coord), 1.0);
 }
