@@ -155,9 +155,9 @@ const SHAFT_SAMPLES: vec2i = vec2i(4, 3); // places along the ray, and samples f
 #elif quality == medium
 const SHAFT_SAMPLES: vec2i = vec2i(8, 3);
 #elif quality == high
-const SHAFT_SAMPLES: vec2i = vec2i(16, 4);
+const SHAFT_SAMPLES: vec2i = vec2i(28, 4);
 #else
-const SHAFT_SAMPLES: vec2i = vec2i(32, 6);
+const SHAFT_SAMPLES: vec2i = vec2i(48, 6);
 #endif
 
 /// Mean part of the sun that reaches the air below the clouds along a ray.
