@@ -64,6 +64,10 @@ fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         let sea = water_seen_from_above(end, toward, covered, deep, 1e3, 1e3, 0.03, day, sun_seen);
         radiance += passed * sea.own;
         passed *= sea.passed;
+        // From high up a pixel holds waves of all slopes: they mirror the whole sky.
+        let mingled = smoothstep(800.0, 3000.0, h);
+        radiance += mingled * passed * day.sky / 3.14159265;
+        passed *= 1.0 - mingled;
         start = vec3f(end.x, max(water.level, 0.0) + 2.0, end.z);
         toward = sea.direction;
         if max(max(passed.x, passed.y), passed.z) < 0.06 {
