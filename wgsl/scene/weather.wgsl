@@ -51,7 +51,7 @@ fn weather_daylight(position: vec3f) -> Daylight {
     return day;
 }
 
-/// Part of the sun that the clouds leave to `position` (m), 0 .. 1.
+/// Part of the sun that the clouds leave to `position` (m), 0 .. 1; none at all where it is hardly to be seen.
 fn weather_sun_seen(position: vec3f, day: Daylight) -> f32 {
     var seen = 1.0;
 #if weather.clouds
@@ -59,6 +59,9 @@ fn weather_sun_seen(position: vec3f, day: Daylight) -> f32 {
 #endif
 #if weather.second_layer
     seen *= cirrus_clouds_shadow(position, day.to_sun);
+#endif
+#if weather.clouds || weather.second_layer
+    seen = max(1.004 * seen - 0.004, 0.0);
 #endif
     return seen;
 }
