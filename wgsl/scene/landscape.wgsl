@@ -122,9 +122,10 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             }
             // The sun goes into water where the eye looks in, near enough.
             let shadowed = select(position, end, wet);
-            sun_seen = terrain_shadow(shadowed, select(normal, vec3f(0.0, 1.0, 0.0), wet), footprint, day);
+            // Clouds first: under a closed layer there is no sun whose shadows are worth a march.
+            sun_seen = weather_sun_seen(shadowed, day);
             if sun_seen > 0.0 {
-                sun_seen *= weather_sun_seen(shadowed, day);
+                sun_seen *= terrain_shadow(shadowed, select(normal, vec3f(0.0, 1.0, 0.0), wet), footprint, day);
             }
 #if landscape.trees
             if sun_seen > 0.0 {

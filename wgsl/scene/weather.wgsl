@@ -51,7 +51,7 @@ fn weather_daylight(position: vec3f) -> Daylight {
     return day;
 }
 
-/// Part of the sun that the clouds leave to `position` (m), 0 .. 1.
+/// Part of the sun that the clouds leave to `position` (m), 0 .. 1; none at all where it is hardly to be seen.
 fn weather_sun_seen(position: vec3f, day: Daylight) -> f32 {
     var seen = 1.0;
 #if weather.clouds
@@ -59,6 +59,9 @@ fn weather_sun_seen(position: vec3f, day: Daylight) -> f32 {
 #endif
 #if weather.second_layer
     seen *= cirrus_clouds_shadow(position, day.to_sun);
+#endif
+#if weather.clouds || weather.second_layer
+    seen = max(1.004 * seen - 0.004, 0.0);
 #endif
     return seen;
 }
@@ -110,6 +113,7 @@ fn weather_air_blurred(
     // The air up to each layer counts by how much is seen of that layer, and all of it by what shows behind them.
     var seen = SkyAir(vec3f(0.0), vec3f(0.0), vec3f(0.0));
     var from_clouds = vec3f(0.0);
+    var veil = vec3f(0.0); // part of what is seen that is air
     var left = 1.0;
     for (var i = 2 - WEATHER_LAYERS; i <= 2; i++) {
         var met = WeatherLayer(vec3f(0.0), 0.0, distance);
@@ -129,23 +133,24 @@ fn weather_air_blurred(
         seen.from_sun += share * air.from_sun;
         seen.from_sky += share * air.from_sky;
         from_clouds += left * air.transmittance * met.radiance;
+        veil += share * (1.0 - air.transmittance);
         if i == 2 {
             seen.transmittance = left * air.transmittance;
         }
         left *= met.transmittance;
     }
 #if weather.clouds
-    // Under the clouds the air scatters what they let through.
+    // Under the clouds the air scatters what they let through, and what the ground throws back, alike in all directions.
     let reach = mix(first.distance, min(distance, 1e5), first.transmittance);
     let under = weather_share_below(origin.y, direction.y, reach, clouds.base + 0.3 * clouds.thickness);
-    var sunny = 1.0 - 0.8 * clouds.coverage;
+    var sunny = 1.0 - clouds.coverage * mix(0.8, 1.0, clouds.coverage);
 #if weather.shafts
     sunny = weather_sunny_air(origin, direction, reach, jitter, day);
 #endif
-    let open = sky_daylight(origin);
-    let dimmed = clouds_irradiance(open) / max(open.sky + max(open.to_sun.y, 0.0) * open.sun, vec3f(1e-9));
+    let covered = under * clouds.coverage;
+    let around = clouds_irradiance(sky_daylight(origin)) * (0.5 + 0.5 * clouds.ground) / 3.14159265;
     seen.from_sun *= 1.0 - under * (1.0 - sunny);
-    seen.from_sky *= 1.0 - under * (1.0 - clamp(dimmed, vec3f(0.0), vec3f(1.0)));
+    seen.from_sky = mix(seen.from_sky, veil * around, covered);
 #endif
     seen.from_sky += from_clouds;
     if distance < RAY_FAR {
