@@ -111,7 +111,9 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
 #if weather.clouds
     // Under the clouds the air scatters what they let through.
     let reach = select(distance, first.distance, first.transmittance < 0.05);
-    let under = weather_share_below(origin.y, direction.y, reach, clouds.base + 0.3 * clouds.thickness);
+    let start_height = cloud_altitude(origin);
+    let end_height = cloud_altitude(origin + min(reach, 1e7) * direction);
+    let under = weather_share_below(start_height, end_height, clouds.base + 0.3 * clouds.thickness);
     var sunny = 1.0 - 0.8 * clouds.coverage;
 #if weather.shafts
     sunny = weather_sunny_air(origin, direction, reach, jitter, day);
@@ -132,11 +134,10 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
 // Height over which the air thins by e, as far as clouds darken it: between the haze's and the molecules'.
 const WEATHER_AIR_HEIGHT: f32 = 3000.0; // m
 
-/// Part of the air along a ray that lies below `ceiling` (m), 0 .. 1: `y` (m) is the origin's height, `climb` the
-/// direction's, `distance` (m) the ray's length.
-fn weather_share_below(y: f32, climb: f32, distance: f32, ceiling: f32) -> f32 {
-    let start = clamp(y / WEATHER_AIR_HEIGHT, -3.0, 30.0);
-    let end = clamp((y + climb * min(distance, 1e7)) / WEATHER_AIR_HEIGHT, -3.0, 30.0);
+/// Part of the air along a ray that lies below `ceiling`, 0 .. 1, from the height `from_height` to `to_height` (m).
+fn weather_share_below(from_height: f32, to_height: f32, ceiling: f32) -> f32 {
+    let start = clamp(from_height / WEATHER_AIR_HEIGHT, -3.0, 30.0);
+    let end = clamp(to_height / WEATHER_AIR_HEIGHT, -3.0, 30.0);
     let edge = ceiling / WEATHER_AIR_HEIGHT;
     // A little of the air at the start stands in for all of it where a ray runs level.
     let all = abs(exp(-start) - exp(-end)) + 1e-4;
