@@ -1,12 +1,12 @@
 //! Pictures: the same in every baking, whatever the tiles; averaged over samples; dithered without a bias; and an error
 //! that says what to do for everything that cannot be drawn.
 //!
-//! `UPDATE=1 cargo test --test render` writes the golden pictures and the expected error texts anew.
+//! `UPDATE=1 cargo test --test render` writes the expected error texts anew; `tests/golden.rs` has the presets' pictures.
 
 #![cfg(feature = "render")]
 
-use std::path::{Path, PathBuf};
-use std::sync::{LazyLock, OnceLock};
+use std::path::Path;
+use std::sync::LazyLock;
 
 use orogen::render::{
     Format, Gpu, Picture, Projection, Shot, encode, faces, is_no_adapter, jitter, render, srgb_encode,
@@ -26,18 +26,6 @@ fn shader(preset: &Preset, bake: &Bake) -> Shader {
 
 fn draw(preset: &Preset, bake: &Bake, shot: &Shot) -> Picture {
     render(&GPU, &shader(preset, bake), preset, shot, &mut |_, _| {}).expect("it can be drawn")
-}
-
-/// A built-in preset with its values baked in as constants. Each is drawn once for all tests.
-fn constant(name: &str) -> &'static Picture {
-    static PICTURES: LazyLock<Vec<(&str, OnceLock<Picture>)>> = LazyLock::new(|| {
-        orogen::source::preset_names().into_iter().map(|name| (name, OnceLock::new())).collect()
-    });
-    let (_, picture) = PICTURES.iter().find(|(known, _)| *known == name).expect("it is built in");
-    picture.get_or_init(|| {
-        let preset = Preset::named(name).expect("it is built in");
-        draw(&preset, &Bake::constants(), &Shot::new(SIZE.0, SIZE.1))
-    })
 }
 
 /// A scene of a few lines.
@@ -119,89 +107,6 @@ fn compare(a: &Picture, b: &Picture) -> (f64, f64) {
 
 fn encoded(linear: f32) -> f32 {
     srgb_encode(linear).clamp(0.0, 1.0)
-}
-
-// ---- golden pictures ----
-
-#[test]
-fn every_built_in_preset_looks_as_it_did() {
-    for name in orogen::source::preset_names() {
-        let picture = constant(name);
-        let path = PathBuf::from(format!("tests/render/{name}.png"));
-        if std::env::var_os("UPDATE").is_some() {
-            let bytes = encode(picture, Format::Png).expect("it can be encoded");
-            std::fs::write(&path, bytes).expect("the folder is there");
-        }
-        let golden = std::fs::read(&path).unwrap_or_default();
-        assert!(!golden.is_empty(), "{} is not there; UPDATE=1 writes it", path.display());
-        let golden = image(&golden);
-        let drawn = to_srgb8(picture);
-        assert_eq!(golden.len(), drawn.len(), "{name}: another size");
-        let verdict = alike(&golden, &drawn);
-        let beside = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.png"));
-        if verdict.is_err() {
-            let bytes = encode(picture, Format::Png).expect("it can be encoded");
-            std::fs::write(&beside, bytes).expect("the folder is there");
-        }
-        assert_eq!(verdict, Ok(()), "{name}: compare {} with {}", path.display(), beside.display());
-    }
-}
-
-/// Red, green, blue and alpha of a PNG.
-fn image(file: &[u8]) -> Vec<u8> {
-    image::load_from_memory(file).expect("it is a PNG").to_rgba8().into_raw()
-}
-
-/// Whether two pictures look alike, at several scales: other rasterisers round silhouettes and noise differently, which a
-/// mean over 4×4 and 16×16 pixels forgives and an eye does not see; a colour, a shape or the light that changed stays.
-fn alike(a: &[u8], b: &[u8]) -> Result<(), String> {
-    // (side of the squares, largest difference of the mean over all of them, and of any one of them but the worst 0.5 %)
-    for (side, mean_most, each_most) in [(1, 2.5, 48.0), (4, 1.5, 12.0), (16, 1.0, 5.0)] {
-        let (a, b) = (shrunk(a, side), shrunk(b, side));
-        let mut errors: Vec<f64> = a.iter().zip(&b).map(|(a, b)| (a - b).abs()).collect();
-        let mean = errors.iter().sum::<f64>() / errors.len() as f64;
-        errors.sort_by(f64::total_cmp);
-        let each = errors[(errors.len() - 1) * 995 / 1000];
-        if mean > mean_most || each > each_most {
-            return Err(format!(
-                "over {side}×{side} pixels the mean error is {mean:.2}/255 (at most {mean_most}), the 99.5th percentile \
-                 {each:.2}/255 (at most {each_most})"
-            ));
-        }
-    }
-    Ok(())
-}
-
-/// Means over squares, of red, green and blue.
-fn shrunk(picture: &[u8], side: usize) -> Vec<f64> {
-    let (width, height) = (SIZE.0 as usize, SIZE.1 as usize);
-    let mut means = Vec::new();
-    for y in (0..height).step_by(side) {
-        for x in (0..width).step_by(side) {
-            for channel in 0..3 {
-                let square = (0..side * side).map(|i| (y + i / side) * width + x + i % side);
-                let sum: f64 = square.map(|pixel| f64::from(picture[pixel * 4 + channel])).sum();
-                means.push(sum / (side * side) as f64);
-            }
-        }
-    }
-    means
-}
-
-#[test]
-fn the_golden_metric_forgives_noise_and_sees_a_change_of_light() {
-    let flat = vec![120_u8; (SIZE.0 * SIZE.1 * 4) as usize];
-    let noisy: Vec<u8> = flat.iter().enumerate().map(|(i, v)| v + (i * 7 % 3) as u8 - 1).collect();
-    let brighter: Vec<u8> = flat.iter().map(|v| v + 4).collect();
-    let mut patch = flat.clone();
-    for y in 40..72 {
-        for x in 40..72 {
-            patch[(y * SIZE.0 as usize + x) * 4] = 150;
-        }
-    }
-    assert_eq!(alike(&flat, &noisy), Ok(()));
-    assert!(alike(&flat, &brighter).is_err());
-    assert!(alike(&flat, &patch).is_err());
 }
 
 // ---- tiles, samples, frames ----
@@ -538,6 +443,11 @@ fn black_white_and_what_is_beyond_them_stay_exact() {
         let bytes = to_srgb8(&picture);
         assert!(bytes.chunks(4).all(|p| p[..3] == [expected; 3] && p[3] == 255), "{value}");
     }
+}
+
+/// Red, green, blue and alpha of a PNG.
+fn image(file: &[u8]) -> Vec<u8> {
+    image::load_from_memory(file).expect("it is a PNG").to_rgba8().into_raw()
 }
 
 #[test]

@@ -2,7 +2,8 @@
 //!
 //! `cargo bench --bench elements -- lake forest` takes other presets than the usual one. Each row has one element more than
 //! the row above; what it costs itself is the difference. A frame's cost must be a line over its pixels: a row whose R² is
-//! below .99 fails the bench. Compiling is left out: a small picture is drawn before, and what is told is the difference
+//! below .99 fails the bench. `-- --qualities` compares `quality=low` with `high` instead, of all presets or of those named:
+//! a preset of which low takes a quarter of high's time or more fails it. Compiling is left out: a small picture is drawn before, and what is told is the difference
 //! between a picture averaged out of two frames and one out of one, which share all the rest. On a GPU, where the CPU only
 //! waits, it is time by the clock.
 
@@ -12,6 +13,7 @@ use std::time::Instant;
 
 use cpu_time::ProcessTime;
 use orogen::render::{Gpu, Shot, render};
+use orogen::source::preset_names;
 use orogen::{Bake, Error, Library, Preset, Shader, compose};
 
 /// The presets that are measured, where none are named.
@@ -19,15 +21,20 @@ const PRESETS: [&str; 1] = ["lake"];
 
 /// The elements, in the order in which they are switched on, each with what that takes. The first row is what is there
 /// when all are off.
-const ELEMENTS: [Element; 4] = [
+const ELEMENTS: [Element; 5] = [
     Element { name: "terrain", off: &[], on: &[] },
     Element { name: "trees", off: &["landscape.trees=false"], on: &["landscape.trees=true"] },
     Element { name: "water", off: &["landscape.water=false"], on: &["landscape.water=true"] },
     Element { name: "atmosphere", off: &["sky.model=gradient"], on: &["sky.model=atmosphere"] },
+    Element { name: "clouds", off: &["weather.clouds=false"], on: &["weather.clouds=true"] },
 ];
 
 const SIZES: [(u32, u32); 4] = [(240, 135), (480, 270), (720, 405), (960, 540)];
 const LEAST_R2: f64 = 0.99;
+
+/// Where two qualities are compared.
+const COMPARED: (u32, u32) = (480, 270);
+const MOST_OF_HIGH: f64 = 0.25;
 
 /// What is measured by itself.
 struct Element {
@@ -40,14 +47,46 @@ struct Element {
 
 fn main() -> Result<(), String> {
     let named: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
-    let presets = if named.is_empty() { PRESETS.map(str::to_owned).to_vec() } else { named };
+    let is_named = !named.is_empty();
+    let presets = if !is_named { PRESETS.map(str::to_owned).to_vec() } else { named };
     let told = |error: Error| error.render(false);
     let gpu = Gpu::new(None).map_err(told)?;
     let mut holds = true;
+    if std::env::args().any(|argument| argument == "--qualities") {
+        let presets =
+            if is_named { presets } else { preset_names().into_iter().map(str::to_owned).collect() };
+        println!(
+            "quality low beside high at {}×{}, seconds a frame on {}\n",
+            COMPARED.0,
+            COMPARED.1,
+            gpu.name()
+        );
+        for preset in presets {
+            holds &= qualities(&gpu, &preset).map_err(told)?;
+        }
+        return if holds { Ok(()) } else { Err("low takes a quarter of high's time or more".to_owned()) };
+    }
     for preset in presets {
         holds &= measure(&gpu, &preset).map_err(told)?;
     }
     if holds { Ok(()) } else { Err(format!("a row is no line over the pixels: its R² is below {LEAST_R2}")) }
+}
+
+/// Prints what a preset costs at low and at high quality; whether low takes less than a quarter.
+fn qualities(gpu: &Gpu, name: &str) -> Result<bool, Error> {
+    let mut spent = [0.0; 2];
+    for (spent, quality) in spent.iter_mut().zip(["low", "high"]) {
+        let mut preset = Preset::named(name)?;
+        preset.set(&format!("quality={quality}"))?;
+        let shader = compose(&Library::standard(), &preset, &Bake::constants())?;
+        frame(gpu, &shader, &preset, 32, 18)?;
+        *spent = frame(gpu, &shader, &preset, COMPARED.0, COMPARED.1)?;
+    }
+    let [low, high] = spent;
+    let keeps = low < MOST_OF_HIGH * high;
+    let verdict = if keeps { "" } else { "  ABOVE THE BAR" };
+    println!("  {name:<20}{low:>9.3}{high:>9.3}{:>8.2}{verdict}", low / high);
+    Ok(keeps)
 }
 
 /// Prints the table of a preset; whether every row keeps the bar.

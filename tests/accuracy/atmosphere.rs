@@ -24,23 +24,22 @@ pub(crate) const RADIANCE: [([f32; 4], [f64; 3]); 3] = [
     ([500.0, 85.0, 80.0, 90.0], [0.009_289_349_03, 0.011_681_415_1, 0.011_695_150_7]),
 ];
 
+/// The air of Mars.
+pub(crate) const MARS: &[&str] = &[
+    "sky.ground_radius=3389500",
+    "sky.air_height=120000",
+    "sky.rayleigh_scattering=[19.918,13.57,5.75]",
+    "sky.rayleigh_height=10430",
+    "sky.mie_scattering=[53.618,53.618,53.618]",
+    "sky.mie_absorption=[0.553,0.553,0.553]",
+    "sky.mie_height=3095",
+    "sky.mie_asymmetry=0.85",
+    "sky.ozone_absorption=[0,0,0]",
+];
+
 /// A planet's air in the truth and in a preset.
-fn planet(name: &str) -> (Air, Vec<&'static str>) {
-    if name == "Earth" {
-        return (Air::earth(), Vec::new());
-    }
-    let settings = vec![
-        "sky.ground_radius=3389500",
-        "sky.air_height=120000",
-        "sky.rayleigh_scattering=[19.918,13.57,5.75]",
-        "sky.rayleigh_height=10430",
-        "sky.mie_scattering=[53.618,53.618,53.618]",
-        "sky.mie_absorption=[0.553,0.553,0.553]",
-        "sky.mie_height=3095",
-        "sky.mie_asymmetry=0.85",
-        "sky.ozone_absorption=[0,0,0]",
-    ];
-    (Air::mars(), settings)
+fn planet(name: &str) -> (Air, &'static [&'static str]) {
+    if name == "Earth" { (Air::earth(), &[]) } else { (Air::mars(), MARS) }
 }
 
 fn preset(settings: &[&str], samples: usize) -> Preset {
@@ -58,7 +57,7 @@ fn transmittance_is_that_of_the_integral() {
     let mut report = Report::new(SECTION, "transmittance_is_that_of_the_integral");
     for name in ["Earth", "Mars"] {
         let (air, settings) = planet(name);
-        let preset = preset(&settings, 8);
+        let preset = preset(settings, 8);
         let scope = Scope { includes: INCLUDES, preset: Some(&preset), ..Scope::default() };
         let call =
             |points: &[[f32; 2]]| values("atmosphere_transmittance(h, mu)", &scope, ["h", "mu"], points);
@@ -226,7 +225,7 @@ fn a_sky_by_day_needs_eight_samples() {
         let looks = looks(420, 41, [0.0, 87.0]);
         let exact = truths(&air, &looks);
         for (samples, bound) in [(4, f64::INFINITY), (6, f64::INFINITY), (8, 0.01), (12, 0.005)] {
-            let off = single_off(&air, &settings, samples, &looks, &exact);
+            let off = single_off(&air, settings, samples, &looks, &exact);
             let what =
                 format!("{name}: suns of 0 to 87°, from .5 m to 10 km, {samples} samples: off, relative");
             if bound.is_finite() { report.at_most(&what, off, bound) } else { report.told(&what, off) }
@@ -243,7 +242,7 @@ fn a_sky_at_twilight_needs_twelve_samples() {
         let looks = looks(420, 42, [88.0, 92.0]);
         let exact = truths(&air, &looks);
         for (samples, bound) in [(8, f64::INFINITY), (12, 0.03), (16, 0.03)] {
-            let off = single_off(&air, &settings, samples, &looks, &exact);
+            let off = single_off(&air, settings, samples, &looks, &exact);
             let what =
                 format!("{name}: suns of 88 to 92°, from .5 m to 10 km, {samples} samples: off, relative");
             if bound.is_finite() { report.at_most(&what, off, bound) } else { report.told(&what, off) }
@@ -275,7 +274,7 @@ fn a_planet_from_space_needs_sixteen_samples() {
         }
         let exact = truths(&air, &looks);
         for (samples, bound) in [(8, f64::INFINITY), (12, f64::INFINITY), (16, 0.02)] {
-            let off = single_off(&air, &settings, samples, &looks, &exact);
+            let off = single_off(&air, settings, samples, &looks, &exact);
             let what = format!(
                 "{name}: limb, ground and terminator from 120 km up, {samples} samples: off, relative"
             );

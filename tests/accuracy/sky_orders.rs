@@ -3,6 +3,7 @@
 use orogen::Preset;
 use truth::points::Random;
 
+use crate::atmosphere::MARS;
 use crate::harness::{Report, Scope, values};
 
 const SECTION: &str = "Sky, all orders of scattering";
@@ -15,18 +16,6 @@ const REFERENCE: [([f64; 4], [f64; 3]); 4] = [
     ([500.0, 65.0, 80.0, 90.0], [0.017_705, 0.034_663, 0.064_707]),
     ([500.0, 85.0, 80.0, 90.0], [0.011_542, 0.016_486, 0.022_818]),
     ([500.0, 94.0, 60.0, 0.0], [0.000_401_94, 0.000_263_53, 0.000_521_64]),
-];
-
-const MARS: &[&str] = &[
-    "sky.ground_radius=3389500",
-    "sky.air_height=120000",
-    "sky.rayleigh_scattering=[19.918,13.57,5.75]",
-    "sky.rayleigh_height=10430",
-    "sky.mie_scattering=[53.618,53.618,53.618]",
-    "sky.mie_absorption=[0.553,0.553,0.553]",
-    "sky.mie_height=3095",
-    "sky.mie_asymmetry=0.85",
-    "sky.ozone_absorption=[0,0,0]",
 ];
 
 /// A row of a traced table: what it is of, three colours, and their standard errors.

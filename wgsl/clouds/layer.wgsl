@@ -272,6 +272,7 @@ fn cloud_end() -> f32 {
 
 #else
 
+/// The fraction of the layer above which there is no cloud anywhere: all of it may hold some.
 fn cloud_end() -> f32 {
     return 1.0;
 }
@@ -467,23 +468,50 @@ fn cloud_column(height: f32, cover: f32, stops: vec4f) -> vec2f {
     return depths * (clouds.extinction * clouds.thickness / f32(CLOUD_COLUMN));
 }
 
-/// Irradiance of level ground under the layer by sky and clouds together, in the mean over the land: what lights an
-/// overcast day. The sun's own beam is not in it (that is `day.sun` times `clouds_shadow`).
-///
-/// The open part of the sky as it is, under the covered part what a slab of the clouds' mean depth lets through
+/// What the layer's covered part makes of light, in the mean over the land: as a slab of the clouds' mean depth
 /// (Eddington).
-fn clouds_irradiance(day: Daylight) -> vec3f {
+struct CloudsSlab {
+    /// Optical depth from the lower to the upper side, along a level normal.
+    depth: f32,
+    /// Part of the sky's irradiance that reaches the ground; the rest of what comes from below goes back there.
+    of_sky: f32,
+    /// Part of the sun's that reaches the ground scattered.
+    of_sun: f32,
+}
+
+fn clouds_slab(day: Daylight) -> CloudsSlab {
     let g = mix(clouds.back, clouds.forward, clouds.forward_share);
-    // Mean of a normal distribution beyond its threshold, near enough.
-    let excess = 0.8 - 0.25 * clamp(cloud_score(clouds.coverage), -3.0, 2.0);
+    // By how much a normal distribution exceeds a threshold where it does, in the mean: within 6 % from -4 to 1.
+    let score = clamp(cloud_score(clouds.coverage), -4.0, 1.5);
+    let excess = 0.8 + score * (0.118 * score - 0.363);
     let depths = cloud_column(0.0, CLOUD_BRINK + 0.35 * clouds.clumping * excess, cloud_stops(clouds.type));
-    let depth = (1.0 - g) * (depths.x + depths.y);
+    let whole = depths.x + depths.y;
+    let depth = (1.0 - g) * whole;
     let mu = max(day.to_sun.y, 0.05);
     let beam = exp(-min(depth / mu, 80.0));
     let of_sun = max((0.667 + mu + (0.667 - mu) * beam) / (1.333 + depth) - beam, 0.0);
-    let of_sky = 1.333 / (1.333 + depth);
-    let shaded = clouds.coverage;
-    return mix(day.sky, of_sky * day.sky + of_sun * max(day.to_sun.y, 0.0) * day.sun, shaded);
+    return CloudsSlab(whole, 1.333 / (1.333 + depth), of_sun);
+}
+
+/// Irradiance of level ground under the layer by sky and clouds together, in the mean over the land: what lights an
+/// overcast day. The sun's own beam is not in it (that is `day.sun` times `clouds_shadow`).
+///
+/// The open part of the sky as it is, the covered part as `clouds_slab`; and what the ground throws up to the clouds and
+/// these throw back.
+fn clouds_irradiance(day: Daylight) -> vec3f {
+    return clouds_irradiance_under(clouds_slab(day), day);
+}
+
+fn clouds_irradiance_under(slab: CloudsSlab, day: Daylight) -> vec3f {
+    let of_sun = max(day.to_sun.y, 0.0) * day.sun;
+    let through = mix(day.sky, slab.of_sky * day.sky + slab.of_sun * of_sun, clouds.coverage);
+    let back = clouds.ground * (clouds.coverage * (1.0 - slab.of_sky));
+    return (through + back * (1.0 - clouds.coverage) * of_sun) / (1.0 - min(back, vec3f(0.98)));
+}
+
+/// Irradiance of the ground beneath the layer in the mean over sun and shadow.
+fn clouds_ground_irradiance(slab: CloudsSlab, day: Daylight) -> vec3f {
+    return (1.0 - clouds.coverage) * max(day.to_sun.y, 0.0) * day.sun + clouds_irradiance_under(slab, day);
 }
 
 /// What of the light of sun (x), sky (y) and ground (z) a place of a cloud sends to the eye: factors of the
@@ -547,12 +575,35 @@ fn clouds_trace(
     how.pixel_angle = pixel_angle;
     how.growth = min(how.growth, (end - begin) / (12.0 * end)); // from far away the layer is thin
     let seen = cloud_volume_march(origin, direction, begin, end, day.to_sun, jitter, how);
-    // The ground beneath is in the shadow of clouds where these are.
-    let lit_ground = (1.0 - 0.7 * clouds.coverage) * max(day.to_sun.y, 0.0) * day.sun + day.sky;
+    let slab = clouds_slab(day);
+    let lit_ground = clouds_ground_irradiance(slab, day);
     // And flanks see other clouds where they would see the sky.
-    let around = mix(day.sky, clouds_irradiance(day), 0.4);
+    let around = mix(day.sky, clouds_irradiance_under(slab, day), 0.4);
     let radiance = seen.radiance.x * day.sun + seen.radiance.y * around + seen.radiance.z * clouds.ground * lit_ground;
     return CloudsSeen(radiance, seen.transmittance, seen.distance);
+}
+
+/// What the clouds are on average between the origin and `far` (m) along the unit `direction`, upward from below them: for
+/// mirrors too rough to show each. No march.
+fn clouds_mean(origin: vec3f, direction: vec3f, far: f32, day: Daylight) -> CloudsSeen {
+    let span = cloud_ahead(origin, direction);
+    let begin = span.x;
+    let end = min(span.y, far);
+    if begin >= end {
+        return CloudsSeen(vec3f(0.0), 1.0, far);
+    }
+    // Seen at a slant, flanks hide gaps.
+    let rows = 0.5 * (end - begin) * length(direction.xz) / clouds.scale;
+    let hidden = 1.0 - pow(max(1.0 - clouds.coverage, 1e-3), 1.0 + rows);
+    let flank = 1.0 - clouds.coverage / max(hidden, 1e-3);
+    let slab = clouds_slab(day);
+    let ground = clouds.ground * clouds_ground_irradiance(slab, day);
+    let through = slab.of_sky * day.sky + slab.of_sun * max(day.to_sun.y, 0.0) * day.sun;
+    let base = through + (1.0 - slab.of_sky) * ground;
+    let side = 0.25 * day.sun + 0.5 * (day.sky + ground); // sunlit on one side, half sky and half ground around
+    let opacity = hidden * (1.0 - exp(-slab.depth / max(direction.y, 0.05)));
+    let radiance = opacity * mix(base, side, flank) / 3.14159265;
+    return CloudsSeen(radiance, 1.0 - opacity, begin + (end - begin) / (2.0 + rows));
 }
 
 /// How much work the march does: rungs of the ladder that `cargo bench --bench clouds` climbs.

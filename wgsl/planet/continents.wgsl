@@ -1,7 +1,7 @@
 // The map of a planet with oceans, continents, chains of mountains and hills.
 
 #include <math/precise.wgsl>
-#include <noise/perlin.wgsl>
+#include <planet/forms.wgsl>
 
 /// Part of the planet that lies below sea level, on average over many planets.
 #param planet.ocean: f32 = 0.68, range 0.02 .. 0.98
@@ -56,11 +56,8 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
         if i == CONTINENT_RIDGES {
             place = straight; // a bend is thousands of kilometres long, and would blur what is a metre wide
         }
-        let scaled = precise_coarser(place, u32(level));
-        let shift = f32(i) * vec2f(7.31, 3.83);
-        let n = perlin_noise2_at_grad(scaled.cell.xy, scaled.fraction.xy + shift, planet.seed + u32(i));
-        let per_grain = exp2(-f32(level));
-        let noise = presence * vec3f(n.x, per_grain * n.yz);
+        let n = forms_octave(place, level, i);
+        let noise = presence * n;
         if i == 0 {
             bent_x = planet.bend * exp2(f32(top)) * noise;
         } else if i == 1 {
@@ -75,7 +72,7 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
             // A ridge with a rounded crest: 1 - sqrt(n² + r²), squared.
             let round = sqrt(n.x * n.x + 0.004);
             let crest = 1.0 - round;
-            let ridge = vec3f(crest * crest, -2.0 * crest * n.x / round * per_grain * n.yz);
+            let ridge = vec3f(crest * crest, -2.0 * crest * n.x / round * n.yz);
             let grown = vec3f(rough.x * ridge.x, rough.x * ridge.yz + ridge.x * rough.yz);
             // Centred: leaving one out does not sink the land.
             ridges += strength * presence * (grown - RIDGE_MEAN * rough);

@@ -1,7 +1,7 @@
 // The map of a dry planet: highlands and lowlands, struck by impacts of all sizes.
 
 #include <math/precise.wgsl>
-#include <noise/perlin.wgsl>
+#include <planet/forms.wgsl>
 
 /// Part of the places for a crater that have one.
 #param planet.craters: f32 = 0.45, range 0 .. 1
@@ -36,11 +36,7 @@ fn planet_map(cell: vec3i, fraction: vec3f, finest: f32) -> vec3f {
         if i == CRATER_ROUGH {
             place = straight; // a bend is thousands of kilometres long, and would blur what is a metre wide
         }
-        let scaled = precise_coarser(place, u32(level));
-        let shift = f32(i) * vec2f(7.31, 3.83);
-        let n = perlin_noise2_at_grad(scaled.cell.xy, scaled.fraction.xy + shift, planet.seed + u32(i));
-        let per_grain = exp2(-f32(level));
-        let noise = presence * vec3f(n.x, per_grain * n.yz);
+        let noise = presence * forms_octave(place, level, i);
         if i == 0 {
             bent_x = planet.bend * exp2(f32(top)) * noise;
         } else if i == 1 {

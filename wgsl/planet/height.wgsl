@@ -5,25 +5,11 @@
 
 #include <geometry/triplanar.wgsl>
 #include <math/precise.wgsl>
+#include <planet/forms.wgsl>
 #include <planet/globe.wgsl>
 
 /// What shaped the ground: continents, basins and chains of mountains, or impacts.
 #option planet.relief = continents { continents, craters }
-/// Which planet of its kind: another seed, another planet.
-#param planet.seed: u32 = 1
-/// Width of the largest forms.
-#param planet.scale: f32 = 6000000.0, range 1000 .. 100000000, log, unit m
-/// How often the width of the forms is halved: the finest are `planet.scale` / 2^`planet.octaves` wide. Those too small to
-/// see in a pixel are left out.
-#param planet.octaves: u32 = 22, range 4 .. 24
-/// Height of the highest mountains above sea level, near enough.
-#param planet.peak_height: f32 = 8000.0, range 0 .. 50000, unit m
-/// How high the largest forms are, above or below the mean.
-#param planet.swell: f32 = 1500.0, range 0 .. 20000, unit m
-/// How far the map is bent before it is read, as a part of the width of its largest forms: folded coasts.
-#param planet.bend: f32 = 0.15, range 0 .. 1
-/// Strength of an octave over that of the next coarser one: the roughness of the mountains.
-#param planet.gain: f32 = 0.52, range 0.2 .. 0.8
 /// How narrow the blend between the map's three planes is.
 #param planet.sharpness: f32 = 6.0, range 2 .. 32
 /// How far apart on the map the planet's six sides lie.
@@ -41,11 +27,6 @@ struct PlanetGround {
     height: f32,
     /// Its gradient along the sphere, in the world's axes: rise over run.
     slope: vec3f,
-}
-
-/// Width of the finest forms (m): the unit of precise places.
-fn planet_grain() -> f32 {
-    return planet.scale * exp2(-f32(planet.octaves));
 }
 
 /// The ground beneath `p` (m), without the octaves too small to be seen in a pixel `footprint` (m) wide. Analytic.

@@ -54,6 +54,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     var distance = terrain.far; // of the first
     var radiance = vec3f(0.0); // what is seen so far
     var passed = vec3f(1.0); // part of what the next ray sees that will be seen
+    var blur = 0.0; // how far up and down the next ray stands for others (rad)
 #if landscape.water
     let submerged = origin.y < water.level;
 #endif
@@ -143,6 +144,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #if landscape.water
         var through = vec3f(0.0); // part of what the next ray sees that the water lets the eye see
         var onward = toward;
+        var onward_blur = 0.0;
         if wet && !submerged {
             let covered = water_footprint(way, toward);
             let bed_depth = max(end.y - position.y, 0.0);
@@ -151,6 +153,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             lit = seen.own;
             through = seen.passed;
             onward = seen.direction;
+            onward_blur = seen.blur;
         } else if wet {
             let seen = water_seen_from_below(end, toward, way, origin.y, day);
             lit = seen.own;
@@ -169,7 +172,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 
         // The way there is air, unless the eye is under water and looks at it.
         if in_air {
-            let air = weather_air(start, toward, select(RAY_FAR, way, ends), jitter, day);
+            let air = weather_air_blurred(start, toward, select(RAY_FAR, way, ends), jitter, blur, day);
             radiance += passed * (air.from_sun + air.from_sky);
             passed *= air.transmittance;
         }
@@ -181,6 +184,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         }
         gone = way;
         toward = onward;
+        blur = onward_blur;
         start = end + vec3f(0.0, max(0.02, 0.25 * footprint), 0.0);
 #endif
     }

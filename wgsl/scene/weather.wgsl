@@ -6,6 +6,7 @@
 #include <quality.wgsl>
 #include <sky/air.wgsl>
 #include <sky/cirrus.wgsl>
+#include <sky/medium.wgsl>
 #include <sky/sky.wgsl>
 
 /// Whether a layer of clouds is in the sky: the group `clouds`.
@@ -65,11 +66,34 @@ fn weather_sun_seen(position: vec3f, day: Daylight) -> f32 {
 /// Air and clouds on the way from `origin` to `distance` (m) along the unit `direction`, from `RAY_FAR` on all the way out,
 /// in the light of `day`. `jitter`: 0 .. 1, another one for each pixel.
 fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day: Daylight) -> SkyAir {
+    return weather_air_blurred(origin, direction, distance, jitter, 0.0, day);
+}
+
+/// As `weather_air`, of the ray that a rough mirror reflects, for the mean over an angle of about `blur` (rad): the clouds
+/// of the group `clouds` are blurred into their mean from .03 on, and not marched from .09 on.
+fn weather_air_blurred(
+    origin: vec3f,
+    direction: vec3f,
+    distance: f32,
+    jitter: f32,
+    blur: f32,
+    day: Daylight,
+) -> SkyAir {
     var first = WeatherLayer(vec3f(0.0), 1.0, distance);
     var second = first; // the farther one
 #if weather.clouds
     let at_low = sky_daylight(vec3f(origin.x, clouds.base + 0.5 * clouds.thickness, origin.z));
-    let low = clouds_trace(origin, direction, 0.0, distance, jitter, camera_pixel_angle(), at_low);
+    let blurred = smoothstep(0.03, 0.09, blur);
+    var low = CloudsSeen(vec3f(0.0), 1.0, distance);
+    if blurred < 1.0 {
+        low = clouds_trace(origin, direction, 0.0, distance, jitter, max(camera_pixel_angle(), blur), at_low);
+    }
+    if blurred > 0.0 {
+        let mean = clouds_mean(origin, direction, distance, at_low);
+        low.radiance = mix(low.radiance, mean.radiance, blurred);
+        low.transmittance = mix(low.transmittance, mean.transmittance, blurred);
+        low.distance = mix(low.distance, mean.distance, blurred);
+    }
     first = WeatherLayer(low.radiance, low.transmittance, low.distance);
 #endif
 #if weather.second_layer
@@ -85,6 +109,7 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
 
     // The air up to each layer counts by how much is seen of that layer, and all of it by what shows behind them.
     var seen = SkyAir(vec3f(0.0), vec3f(0.0), vec3f(0.0));
+    var from_clouds = vec3f(0.0);
     var left = 1.0;
     for (var i = 2 - WEATHER_LAYERS; i <= 2; i++) {
         var met = WeatherLayer(vec3f(0.0), 0.0, distance);
@@ -102,7 +127,8 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
         let air = sky_air(origin, direction, met.distance);
         let share = left * (1.0 - met.transmittance);
         seen.from_sun += share * air.from_sun;
-        seen.from_sky += share * air.from_sky + left * air.transmittance * met.radiance;
+        seen.from_sky += share * air.from_sky;
+        from_clouds += left * air.transmittance * met.radiance;
         if i == 2 {
             seen.transmittance = left * air.transmittance;
         }
@@ -110,10 +136,8 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
     }
 #if weather.clouds
     // Under the clouds the air scatters what they let through.
-    let reach = select(distance, first.distance, first.transmittance < 0.05);
-    let start_height = cloud_altitude(origin);
-    let end_height = cloud_altitude(origin + min(reach, 1e7) * direction);
-    let under = weather_share_below(start_height, end_height, clouds.base + 0.3 * clouds.thickness);
+    let reach = mix(first.distance, min(distance, 1e5), first.transmittance);
+    let under = weather_share_below(origin.y, direction.y, reach, clouds.base + 0.3 * clouds.thickness);
     var sunny = 1.0 - 0.8 * clouds.coverage;
 #if weather.shafts
     sunny = weather_sunny_air(origin, direction, reach, jitter, day);
@@ -123,6 +147,7 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
     seen.from_sun *= 1.0 - under * (1.0 - sunny);
     seen.from_sky *= 1.0 - under * (1.0 - clamp(dimmed, vec3f(0.0), vec3f(1.0)));
 #endif
+    seen.from_sky += from_clouds;
     if distance < RAY_FAR {
         return seen;
     }
@@ -134,10 +159,17 @@ fn weather_air(origin: vec3f, direction: vec3f, distance: f32, jitter: f32, day:
 // Height over which the air thins by e, as far as clouds darken it: between the haze's and the molecules'.
 const WEATHER_AIR_HEIGHT: f32 = 3000.0; // m
 
-/// Part of the air along a ray that lies below `ceiling`, 0 .. 1, from the height `from_height` to `to_height` (m).
-fn weather_share_below(from_height: f32, to_height: f32, ceiling: f32) -> f32 {
-    let start = clamp(from_height / WEATHER_AIR_HEIGHT, -3.0, 30.0);
-    let end = clamp(to_height / WEATHER_AIR_HEIGHT, -3.0, 30.0);
+/// Part of the air along a ray that lies below `ceiling` (m), 0 .. 1: `y` (m) is the origin's height, `climb` the
+/// direction's, `distance` (m) the ray's length. Over a round planet a ray that goes down comes up again.
+fn weather_share_below(y: f32, climb: f32, distance: f32, ceiling: f32) -> f32 {
+    let way = min(distance, 1e7);
+    var last = y + climb * way;
+#if sky.model == atmosphere
+    let lowest = clamp(-climb * sky.ground_radius, 0.0, way); // where it does
+    last = select(last, y + climb * lowest + 0.5 * lowest * lowest / sky.ground_radius, climb < 0.0);
+#endif
+    let start = clamp(y / WEATHER_AIR_HEIGHT, -3.0, 30.0);
+    let end = clamp(last / WEATHER_AIR_HEIGHT, -3.0, 30.0);
     let edge = ceiling / WEATHER_AIR_HEIGHT;
     // A little of the air at the start stands in for all of it where a ray runs level.
     let all = abs(exp(-start) - exp(-end)) + 1e-4;
@@ -153,9 +185,9 @@ const SHAFT_SAMPLES: vec2i = vec2i(4, 3); // places along the ray, and samples f
 #elif quality == medium
 const SHAFT_SAMPLES: vec2i = vec2i(8, 3);
 #elif quality == high
-const SHAFT_SAMPLES: vec2i = vec2i(16, 4);
+const SHAFT_SAMPLES: vec2i = vec2i(32, 4);
 #else
-const SHAFT_SAMPLES: vec2i = vec2i(32, 6);
+const SHAFT_SAMPLES: vec2i = vec2i(48, 6);
 #endif
 
 /// Mean part of the sun that reaches the air below the clouds along a ray.

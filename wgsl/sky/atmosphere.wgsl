@@ -18,6 +18,7 @@
 // Land may lie this far below sea level (m) and still be seen through air; deeper down it does not get thicker.
 const ATMOSPHERE_BELOW: f32 = 1000.0;
 
+/// The planet and its air as the closed forms of <light/optical_depth.wgsl> take them.
 fn atmosphere_shells() -> AirShells {
     let heights = vec2f(sky.rayleigh_height, sky.mie_height);
     return AirShells(sky.ground_radius, heights, sky.ozone_center, sky.ozone_half_width);
@@ -35,7 +36,7 @@ fn atmosphere_transmittance(height: f32, mu: f32) -> vec3f {
     return atmosphere_clear(place);
 }
 
-// As `atmosphere_transmittance`, the planet left out.
+/// As `atmosphere_transmittance`, the planet left out.
 fn atmosphere_clear(place: AirPlace) -> vec3f {
     let shells = atmosphere_shells();
     return exp(-medium_extinction(air_path_to_infinity(shells, place, air_densities(shells, place.height))));
@@ -55,8 +56,8 @@ struct AtmosphereWay {
     grounded: bool,
 }
 
-// The way through the air from `eye` to `distance` (m) on. What is farther than `RAY_FAR` ends on the planet; nearer
-// things may lie below sea level, as deep as `ATMOSPHERE_BELOW`.
+/// The way through the air from `eye` to `distance` (m) on. What is farther than `RAY_FAR` ends on the planet; nearer
+/// things may lie below sea level, as deep as `ATMOSPHERE_BELOW`.
 fn atmosphere_way(eye: AirPlace, distance: f32) -> AtmosphereWay {
     let endless = distance >= RAY_FAR;
     let low = select(-min(ATMOSPHERE_BELOW, 0.1 * sky.ground_radius), 0.0, endless);
@@ -97,10 +98,10 @@ struct AtmosphereLit {
     from_sky: vec3f,
 }
 
-// The part of a way that lies in the planet's shadow, as distances from its start: `near` >= `far` where none does.
-//
-// `light_mu`: cosine of the light's zenith angle at the start; `nu`: cosine between way and light, `sine2` its sine
-// squared; `aside`: dot of the vertical at the start with the part of the way's direction that is across to the light.
+/// The part of a way that lies in the planet's shadow, as distances from its start: `near` >= `far` where none does.
+///
+/// `light_mu`: cosine of the light's zenith angle at the start; `nu`: cosine between way and light, `sine2` its sine
+/// squared; `aside`: dot of the vertical at the start with the part of the way's direction that is across to the light.
 fn atmosphere_shadow(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> RaySpan {
     let r = sky.ground_radius + way.start.height;
     let along = r * light_mu;
@@ -128,11 +129,11 @@ fn atmosphere_shadow(way: AtmosphereWay, light_mu: f32, nu: f32, sine2: f32, asi
     return RaySpan(clamp(near, 0.0, way.length), clamp(far, 0.0, way.length));
 }
 
-// The light scattered to the eye along `way`.
-//
-// The integral is broken where the planet's shadow begins and ends and at the lowest point; each part has its own
-// nodes, which crowd where the air is dense. `left` is what comes through of light behind: where that is much and the
-// way keeps to its height, few nodes do.
+/// The light scattered to the eye along `way`.
+///
+/// The integral is broken where the planet's shadow begins and ends and at the lowest point; each part has its own
+/// nodes, which crowd where the air is dense. `left` is what comes through of light behind: where that is much and the
+/// way keeps to its height, few nodes do.
 fn atmosphere_lit(way: AtmosphereWay, left: vec3f, light_mu: f32, nu: f32, sine2: f32, aside: f32) -> AtmosphereLit {
     var lit = AtmosphereLit(vec3f(0.0), vec3f(0.0));
     let shells = atmosphere_shells();
@@ -303,12 +304,12 @@ fn atmosphere_mu(position: vec3f, to_light: vec3f) -> f32 {
     return clamp(dot(from_center / max(length(from_center), 1.0), to_light), -1.0, 1.0);
 }
 
-// The vertical where `way` enters the air, from that at the eye, `height` (m) up.
+/// The vertical where `way` enters the air, from that at the eye, `height` (m) up.
 fn atmosphere_entry_up(way: AtmosphereWay, height: f32, up: vec3f, direction: vec3f) -> vec3f {
     return normalize(up + way.entry / (sky.ground_radius + max(height, 0.0)) * direction);
 }
 
-// The air along `way`, with `up` the vertical where it enters the air, for a distant light of irradiance 1.
+/// The air along `way`, with `up` the vertical where it enters the air, for a distant light of irradiance 1.
 fn atmosphere_seen(way: AtmosphereWay, up: vec3f, direction: vec3f, to_light: vec3f) -> SkyAir {
     if way.length <= 0.0 && !way.grounded {
         return SkyAir(vec3f(0.0), vec3f(0.0), vec3f(1.0));

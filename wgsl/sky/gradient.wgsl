@@ -50,10 +50,12 @@ fn gradient_radiance(direction: vec3f) -> vec3f {
     return gradient_base(direction) + gradient_glow(direction);
 }
 
+/// The sky without its glow: the two colours, mixed by height.
 fn gradient_base(direction: vec3f) -> vec3f {
     return gradient_dimming() * mix(sky.zenith, sky.horizon, pow(1.0 - clamp(direction.y, 0.0, 1.0), sky.falloff));
 }
 
+/// What haze scatters forward around the sun.
 fn gradient_glow(direction: vec3f) -> vec3f {
     let toward_sun = clamp(dot(direction, sun_direction()), 0.0, 1.0);
     let wide = pow(toward_sun, sky.glow_focus);

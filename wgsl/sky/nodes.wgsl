@@ -8,46 +8,55 @@
 
 #if sky.samples <= 2
 const SKY_NODES: i32 = 2;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_2[i];
 }
 #elif sky.samples <= 4
 const SKY_NODES: i32 = 4;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_4[i];
 }
 #elif sky.samples <= 6
 const SKY_NODES: i32 = 6;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_6[i];
 }
 #elif sky.samples <= 8
 const SKY_NODES: i32 = 8;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_8[i];
 }
 #elif sky.samples <= 12
 const SKY_NODES: i32 = 12;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_12[i];
 }
 #elif sky.samples <= 16
 const SKY_NODES: i32 = 16;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_16[i];
 }
 #elif sky.samples <= 24
 const SKY_NODES: i32 = 24;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_24[i];
 }
 #elif sky.samples <= 32
 const SKY_NODES: i32 = 32;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_32[i];
 }
 #else
 const SKY_NODES: i32 = 64;
+/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
 fn sky_rule(i: i32) -> vec2f {
     return GAUSS_LEGENDRE_64[i];
 }
@@ -56,7 +65,7 @@ fn sky_rule(i: i32) -> vec2f {
 /// The nodes of a short and clear way, where 4 are as good as many: of up to 60 km through haze of optical depth 1.
 const SKY_NODES_NEAR: i32 = min(SKY_NODES, 4);
 
-// Half of a rule: its first nodes and their weights.
+/// Half of a rule: its first nodes and their weights.
 fn sky_rule_near(i: i32) -> vec2f {
 #if sky.samples <= 4
     return sky_rule(i);

@@ -22,7 +22,7 @@ fn planar_density(y: f32) -> vec2f {
     return exp(clamp(-inside / scale, vec2f(-87.0), vec2f(40.0))) * (1.0 - inside / planar.air_height);
 }
 
-// Optical paths (m) straight up from height `y`: the density's integral.
+/// Optical paths (m) straight up from height `y`: the density's integral.
 fn planar_column(y: f32) -> vec2f {
     let inside = clamp(y, -PLANAR_BELOW, planar.air_height);
     let scale = vec2f(sky.rayleigh_height, sky.mie_height);
@@ -32,7 +32,7 @@ fn planar_column(y: f32) -> vec2f {
     return max(scale * (flat_part * top + here * (1.0 - inside / planar.air_height - flat_part)), vec2f(0.0));
 }
 
-// Optical depth of `distance` (m) from height `y` on, `climb` (m) higher for each metre. In closed form.
+/// Optical depth of `distance` (m) from height `y` on, `climb` (m) higher for each metre. In closed form.
 fn planar_depth(y: f32, climb: f32, distance: f32) -> vec3f {
     let rise = climb * distance;
     var path = planar_density(y + 0.5 * rise) * distance;
@@ -42,23 +42,23 @@ fn planar_depth(y: f32, climb: f32, distance: f32) -> vec3f {
     return medium_extinction(vec3f(path, 0.0));
 }
 
-// The cosine that stands for `light_mu` in slant paths, > 0. A flat world's night would fall with the sun's centre;
-// this one dims as if its ground were curved.
+/// The cosine that stands for `light_mu` in slant paths, > 0. A flat world's night would fall with the sun's centre;
+/// this one dims as if its ground were curved.
 fn planar_slant(light_mu: f32) -> f32 {
     let curved = 2.546 * sky.rayleigh_height / sky.ground_radius; // Chapman's at the horizon
     return max(0.5 * (light_mu + sqrt(light_mu * light_mu + curved)), 1e-3);
 }
 
-// Part of the light from `light_mu`, the cosine of its zenith angle, that reaches height `y`. Ozone takes its part here
-// and nowhere else: over the low sun's long way it keeps the zenith blue.
+/// Part of the light from `light_mu`, the cosine of its zenith angle, that reaches height `y`. Ozone takes its part here
+/// and nowhere else: over the low sun's long way it keeps the zenith blue.
 fn planar_transmittance(y: f32, light_mu: f32) -> vec3f {
     let above = clamp(0.5 + 0.5 * (sky.ozone_center - y) / sky.ozone_half_width, 0.0, 1.0);
     let path = vec3f(planar_column(y), sky.ozone_half_width * above);
     return exp(-medium_extinction(path / planar_slant(light_mu)));
 }
 
-// Irradiance of level ground by the sky, for a light of irradiance 1: two streams through air that hides nothing
-// (Eddington), the direct light taken off, and what ground and air throw back and forth.
+/// Irradiance of level ground by the sky, for a light of irradiance 1: two streams through air that hides nothing
+/// (Eddington), the direct light taken off, and what ground and air throw back and forth.
 fn planar_from_sky(light_mu: f32) -> vec3f {
     let mu = planar_slant(light_mu);
     let column = planar_column(0.0);

@@ -15,6 +15,8 @@ struct WaterSeen {
     passed: vec3f,
     /// Where the ray goes on to: unit vector, upward.
     direction: vec3f,
+    /// How far up and down from it light comes from, too (rad, standard deviation).
+    blur: f32,
 }
 
 /// Irradiance of level water to which the land leaves `sun_seen` of the sun.
@@ -54,7 +56,7 @@ fn water_seen_from_above(
     let reflected = mirror.reflectance * water_part;
     let white = foam * FOAM_ALBEDO * irradiance / 3.14159265;
     let own = under * (1.0 - foam) * (1.0 - presence * mirror.reflectance) + water_part * mirror.glint + white;
-    return WaterSeen(own, vec3f(reflected), mirror.direction);
+    return WaterSeen(own, vec3f(reflected), mirror.direction, mirror.blur);
 }
 
 /// Radiance of water lit from above, seen from inside of it, at `y` (m) above sea level.
@@ -76,7 +78,7 @@ fn water_seen_from_below(position: vec3f, direction: vec3f, distance: f32, origi
     out.y = max(out.y, 0.002);
     let left = water_transmittance(distance);
     let glow = water_glow(origin_y, day);
-    return WaterSeen(glow * (1.0 - left * (1.0 - reflectance)), left * (1.0 - reflectance), normalize(out));
+    return WaterSeen(glow * (1.0 - left * (1.0 - reflectance)), left * (1.0 - reflectance), normalize(out), 0.0);
 }
 
 /// Ground with radiance `bed` in air, seen from inside of the water, `distance` (m) away and `depth` (m) down.

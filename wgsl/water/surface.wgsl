@@ -35,6 +35,8 @@ struct WaterMirror {
     reflectance: f32,
     /// Radiance of the sun's image, for the whole sun; none of it is in `direction`.
     glint: vec3f,
+    /// How far up and down from `direction` waves too small to see scatter what is mirrored (rad, standard deviation).
+    blur: f32,
 }
 
 /// The waves at `p` (m) as seen by a pixel `footprint` (m) wide.
@@ -141,5 +143,5 @@ fn water_mirror(direction: vec3f, waves: Waves, day: Daylight, sun_seen: f32) ->
         let reflected = fresnel_dielectric(clamp(dot(half_way, to_eye), 0.0, 1.0), WATER_IOR);
         glint = min(sun_seen * reflected * strength * day.sun, vec3f(200.0));
     }
-    return WaterMirror(normalize(mirrored), fresnel_dielectric(cos_theta, WATER_IOR), glint);
+    return WaterMirror(normalize(mirrored), fresnel_dielectric(cos_theta, WATER_IOR), glint, 2.0 * seen.y);
 }
