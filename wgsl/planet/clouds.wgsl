@@ -60,8 +60,8 @@ fn shell_at(direction: vec3f, footprint: f32) -> f32 {
     let climate = 0.22 * cos(6.0 * asin(clamp(direction.y, -1.0, 1.0))) - 0.25 * direction.y * direction.y;
     let above = fields + climate - (0.55 - 1.1 * shell.cover);
     // Fronts with torn edges and lanes between their bands; beside them flocks of small heaps; around both thin veils.
-    let front = smoothstep(-0.05, 0.75, above + 0.17 * flecks) * (0.78 + 0.34 * flecks);
-    let heaps = 0.6 * smoothstep(0.25, 1.1, flecks + 1.6 * above);
+    let front = smoothstep(-0.05, 0.75, above + 0.17 * flecks) * (0.72 + 0.35 * fields + 0.36 * flecks);
+    let heaps = 0.6 * smoothstep(0.20, 1.2, flecks + 1.6 * above);
     let veil = 0.22 * smoothstep(-0.25, 0.35, above + 0.10 * flecks);
     return clamp(max(max(front, heaps), veil), 0.0, 1.0);
 }
