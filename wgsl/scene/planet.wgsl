@@ -272,7 +272,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             let between = shell_transmittance(2.0 * shell_depth(thick.y));
             let through = shell_transmittance(tau);
             // Heaps are bright on the side of the sun, dark on the other.
-            let relief = clamp(1.0 + 2.0 * (thick.x - thick.y), 0.45, 1.2);
+            let relief = clamp(1.0 + 1.5 * (thick.x - thick.y), 0.5, 1.2);
             let irradiance = day.sun * max(local_sun.y, 0.0) * relief * mix(0.6, 1.0, between) + day.sky;
             // Seen flat, a thin cloud hides more.
             cloud_opacity = 1.0 - shell_transmittance(tau / max(abs(dot(direction, here)), 0.15));
