@@ -29,7 +29,7 @@ const SHELL_FLECKS: f32 = 32.0; // how much smaller the largest flecks are than 
 const SHELL_LARGE: f32 = 5.0; // log2 of that
 
 /// How thick the clouds are above the unit `direction` from the planet's centre, in the planet's own axes: 0 clear .. 1. A
-/// pixel covers `footprint` (rad) of it. Three noises and up to fourteen octaves.
+/// pixel covers `footprint` (rad) of it. Three noises and up to thirteen octaves.
 fn shell_at(direction: vec3f, footprint: f32) -> f32 {
     // Cyclones wind the map up, against the clock on the north, with it on the south.
     var q = direction;
