@@ -29,7 +29,7 @@ const SHELL_FLECKS: f32 = 32.0; // how much smaller the largest flecks are than 
 const SHELL_LARGE: f32 = 5.0; // log2 of that
 
 /// How thick the clouds are above the unit `direction` from the planet's centre, in the planet's own axes: 0 clear .. 1. A
-/// pixel covers `footprint` (rad) of it. Three noises and up to fourteen octaves.
+/// pixel covers `footprint` (rad) of it. Three noises and up to thirteen octaves.
 fn shell_at(direction: vec3f, footprint: f32) -> f32 {
     // Cyclones wind the map up, against the clock on the north, with it on the south.
     var q = direction;
@@ -55,13 +55,13 @@ fn shell_at(direction: vec3f, footprint: f32) -> f32 {
     let fields = shell_fbm3(drawn, shell.seed + 3u, clamp(octaves, 1.0, 6.0), 0.64, 2.03).x;
     let fine = octaves - SHELL_LARGE;
     let small = direction * (SHELL_FLECKS / shell.scale) + 0.25 * swept;
-    let flecks = shell_fbm3(small, shell.seed + 5u, fine, 0.84, 2.03).x;
+    let flecks = shell_fbm3(small, shell.seed + 5u, fine, 0.96, 2.03).x;
     // Wet along the equator and in the westerlies, dry between and at the poles.
     let climate = 0.22 * cos(6.0 * asin(clamp(direction.y, -1.0, 1.0))) - 0.25 * direction.y * direction.y;
     let above = fields + climate - (0.55 - 1.1 * shell.cover);
     // Fronts with torn edges and lanes between their bands; beside them flocks of small heaps; around both thin veils.
-    let front = smoothstep(-0.05, 0.75, above + 0.17 * flecks) * (0.90 + 0.20 * flecks);
-    let heaps = 0.6 * smoothstep(0.25, 1.1, flecks + 1.6 * above);
+    let front = smoothstep(-0.05, 0.75, above + 0.15 * flecks) * (0.72 + 0.35 * fields + 0.36 * flecks);
+    let heaps = 0.6 * smoothstep(0.25, 1.25, flecks + 1.7 * above);
     let veil = 0.22 * smoothstep(-0.25, 0.35, above + 0.10 * flecks);
     return clamp(max(max(front, heaps), veil), 0.0, 1.0);
 }

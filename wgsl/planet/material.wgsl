@@ -62,7 +62,7 @@ fn planet_mottle(p: vec3f, footprint: f32) -> vec3f {
     let top = i32(log2(COVER_COARSEST / unit));
     let finest = max(log2(2.0 * footprint / unit), 0.0);
     var sum = vec3f(0.0);
-    var strength = vec3f(0.8, 0.6, 0.8);
+    var strength = vec3f(0.8, 0.7, 0.8);
     for (var i = 0; i < COVER_RAGGED + COVER_WIDE + COVER_FINE; i++) {
         var level = top - i;
         if i >= COVER_RAGGED + COVER_WIDE {
@@ -84,7 +84,7 @@ fn planet_mottle(p: vec3f, footprint: f32) -> vec3f {
             strength.z *= 0.6;
         } else {
             sum.y += strength.y * n;
-            strength.y *= 0.8;
+            strength.y *= 0.85;
         }
     }
     return sum;
@@ -99,7 +99,7 @@ fn planet_cover_at(p: vec3f, up: vec3f, height: f32, steepness: f32, footprint: 
     let steep = smoothstep(0.8 * bare_from, 1.25 * bare_from, steepness * (1.0 + 0.3 * mottle.y));
 #if planet.cover == biomes
     let latitude = asin(min(pole, 1.0));
-    let ragged = 0.7 * mottle.x + 0.12 * mottle.y;
+    let ragged = 0.7 * mottle.x + 0.2 * mottle.y;
     let warmth = planet.equator - planet.cooling * pole * pole - 0.0062 * max(height, 0.0) + 5.0 * mottle.z + 5.0 * ragged;
     // Rain falls on the equator, little around the tropics, again in the westerlies, and more in the lowlands.
     let belts = 0.08 + 0.72 * exp(-latitude * latitude / 0.05) + 0.58 * smoothstep(0.48, 0.76, latitude);
@@ -107,10 +107,10 @@ fn planet_cover_at(p: vec3f, up: vec3f, height: f32, steepness: f32, footprint: 
     let wet = belts + lowland + 0.50 * mottle.z + 0.60 * ragged - 0.6 * planet.dryness;
     let sand = mix(planet.rock, planet.desert, smoothstep(-0.35, 0.15, mottle.x - mottle.z + 0.3 * mottle.y))
         * (1.0 + 0.2 * mottle.y);
-    var open = mix(sand, planet.grass * (1.0 + 0.3 * mottle.y), smoothstep(0.16, 0.36, wet));
+    var open = mix(sand, planet.grass * (1.0 + 0.45 * mottle.y), smoothstep(0.16, 0.36, wet));
     open = mix(planet.tundra * (1.0 + 0.3 * mottle.y), open, smoothstep(-4.0, 2.0, warmth));
     let wooded = smoothstep(0.34, 0.58, wet) * smoothstep(-5.0, 0.0, warmth);
-    let woods = mix(planet.forest, planet.jungle, smoothstep(10.0, 20.0, warmth)) * (1.0 + 0.35 * mottle.y);
+    let woods = mix(planet.forest, planet.jungle, smoothstep(10.0, 20.0, warmth)) * (1.0 + 0.5 * mottle.y);
     var albedo = mix(open, woods, wooded);
     albedo = mix(albedo, planet.rock * (1.0 + 0.3 * mottle.y), max(steep, smoothstep(3200.0, 5200.0, height) * 0.6));
     let beach = 1.0 - smoothstep(2.0, 7.0, height + 2.0 * mottle.y);

@@ -199,6 +199,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     var radiance = vec3f(0.0);
     var passed = vec3f(0.0); // of what the sea mirrors
     var mirrored = direction;
+    var blur = 0.0; // of what it mirrors
     var cloud_radiance = vec3f(0.0);
     var cloud_opacity = 0.0;
     for (var i = 0; i <= PLANET_MIRRORED; i++) {
@@ -258,6 +259,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
                     water_edge(footprint, steepness), local_day, 1.0,
                 );
                 mirrored = compass * surface.direction;
+                blur = surface.blur;
                 passed = surface.passed * (1.0 - frozen);
                 let ice = planet.snow * (sunlight * max(local_sun.y, 0.0) + day.sky) / 3.14159265;
                 lit = mix(surface.own, ice, frozen);
@@ -270,7 +272,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             let between = shell_transmittance(2.0 * shell_depth(thick.y));
             let through = shell_transmittance(tau);
             // Heaps are bright on the side of the sun, dark on the other.
-            let relief = clamp(1.0 + 1.3 * (thick.x - thick.y), 0.5, 1.2);
+            let relief = clamp(1.0 + 1.5 * (thick.x - thick.y), 0.5, 1.2);
             let irradiance = day.sun * max(local_sun.y, 0.0) * relief * mix(0.6, 1.0, between) + day.sky;
             // Seen flat, a thin cloud hides more.
             cloud_opacity = 1.0 - shell_transmittance(tau / max(abs(dot(direction, here)), 0.15));
@@ -279,7 +281,8 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         }
 #endif
         let behind = select(lit, sky_beyond(toward), i == PLANET_GROUND && !ends);
-        let seen = sky_through(weather_air(start_at, toward, distance, jitter, day), behind);
+        let air_blur = select(0.0, blur, i == PLANET_MIRRORED);
+        let seen = sky_through(weather_air_blurred(start_at, toward, distance, jitter, air_blur, day), behind);
         if i == PLANET_CLOUDS {
             cloud_radiance = seen;
         } else if i == PLANET_GROUND {
