@@ -68,7 +68,8 @@
 #param clouds.back: f32 = -0.3, range -0.95 .. 0
 /// Part of the light that the forward lobe gets.
 #param clouds.forward_share: f32 = 0.85, range 0 .. 1
-/// How far sunlight gets into clouds: 1 as the extinction has it, 2 twice as far.
+/// How far sunlight gets into clouds: 1 as the extinction has it, 2 twice as far, for the look: they then give out more
+/// light than falls on them.
 #param clouds.penetration: f32 = 1.0, range 0.1 .. 10, log
 /// Part of the light that goes on nearly straight: thin edges before the sun shine.
 #param clouds.silver_lining: f32 = 0.15, range 0 .. 1
@@ -99,7 +100,15 @@ const CLOUD_MEAN: f32 = 0.84;
 const CLOUD_VACANT: f32 = 0.3;
 // Samples of a column's profile, and of a shadow.
 const CLOUD_COLUMN: i32 = 8;
-const CLOUD_SHADOW_SAMPLES: i32 = 12;
+#if quality == low
+const CLOUD_SHADOW_SAMPLES: i32 = 8;
+#elif quality == medium
+const CLOUD_SHADOW_SAMPLES: i32 = 16;
+#elif quality == high
+const CLOUD_SHADOW_SAMPLES: i32 = 32;
+#else
+const CLOUD_SHADOW_SAMPLES: i32 = 64;
+#endif
 // The least that is eaten, over the most.
 const CLOUD_RIM: f32 = 0.35;
 // How deep `clouds.detail` = 1 eats, in units of the density before `clouds.softness`.
@@ -555,7 +564,8 @@ struct CloudsSeen {
 
 /// The clouds between `near` and `far` (m) along the unit `direction`, in the light of `day`.
 ///
-/// `jitter`: 0 .. 1, another one for each pixel. `pixel_angle`: of a pixel (rad).
+/// `jitter`: 0 .. 1, another one for each pixel. `pixel_angle`: of a pixel (rad). Where the light differs from end to end of
+/// what is seen, from orbit, take `clouds_found`, and light what it found by `clouds_lit`.
 fn clouds_trace(
     origin: vec3f,
     direction: vec3f,
@@ -564,6 +574,20 @@ fn clouds_trace(
     jitter: f32,
     pixel_angle: f32,
     day: Daylight,
+) -> CloudsSeen {
+    let found = clouds_found(origin, direction, near, far, jitter, pixel_angle);
+    let lit = clouds_lit(found.radiance, origin + min(found.distance, clouds.far) * direction, day);
+    return CloudsSeen(lit, found.transmittance, found.distance);
+}
+
+/// As `clouds_trace`, not lit yet: instead of a radiance factors of the light of sun, sky and ground, see `cloud_lit`.
+fn clouds_found(
+    origin: vec3f,
+    direction: vec3f,
+    near: f32,
+    far: f32,
+    jitter: f32,
+    pixel_angle: f32,
 ) -> CloudsSeen {
     let span = cloud_ahead(origin, direction);
     let begin = max(span.x, near);
@@ -574,13 +598,29 @@ fn clouds_trace(
     var how = cloud_effort();
     how.pixel_angle = pixel_angle;
     how.growth = min(how.growth, (end - begin) / (12.0 * end)); // from far away the layer is thin
-    let seen = cloud_volume_march(origin, direction, begin, end, day.to_sun, jitter, how);
+    let seen = cloud_volume_march(origin, direction, begin, end, key_direction(), jitter, how);
+    return CloudsSeen(seen.radiance, seen.transmittance, seen.distance);
+}
+
+/// `day` as the place `p` (m) has it: its sun as high as over the horizon there.
+fn cloud_local(p: vec3f, day: Daylight) -> Daylight {
+#if clouds.shape == shell
+    let up = normalize_or(p + vec3f(0.0, sky.ground_radius, 0.0), vec3f(0.0, 1.0, 0.0));
+    let height = dot(day.to_sun, up);
+    return Daylight(vec3f(sqrt(max(1.0 - height * height, 0.0)), height, 0.0), day.radius, day.sun, day.sky);
+#else
+    return day;
+#endif
+}
+
+/// Radiance of clouds around `p` (m), of which `clouds_found` found these `factors`, in the light `at_place` of the place.
+fn clouds_lit(factors: vec3f, p: vec3f, at_place: Daylight) -> vec3f {
+    let day = cloud_local(p, at_place);
     let slab = clouds_slab(day);
     let lit_ground = clouds_ground_irradiance(slab, day);
     // And flanks see other clouds where they would see the sky.
     let around = mix(day.sky, clouds_irradiance_under(slab, day), 0.4);
-    let radiance = seen.radiance.x * day.sun + seen.radiance.y * around + seen.radiance.z * clouds.ground * lit_ground;
-    return CloudsSeen(radiance, seen.transmittance, seen.distance);
+    return factors.x * day.sun + factors.y * around + factors.z * clouds.ground * lit_ground;
 }
 
 /// What the clouds are on average between the origin and `far` (m) along the unit `direction`, upward from below them: for
@@ -606,7 +646,8 @@ fn clouds_mean(origin: vec3f, direction: vec3f, far: f32, day: Daylight) -> Clou
     return CloudsSeen(radiance, 1.0 - opacity, begin + (end - begin) / (2.0 + rows));
 }
 
-/// How much work the march does: rungs of the ladder that `cargo bench --bench clouds` climbs.
+/// How much work the march does: about rungs b, d, f and g of the ladder that `cargo bench --bench clouds` climbs, with
+/// steps that grow faster, for views farther than its own.
 fn cloud_effort() -> cloud_volume_Volume {
     let unit = clouds.scale / 1000.0;
 #if quality == low

@@ -277,7 +277,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             // Seen flat, a thin cloud hides more.
             cloud_opacity = 1.0 - shell_transmittance(tau / max(abs(dot(direction, here)), 0.15));
             let returned = select((1.0 - through) / max(cloud_opacity, 1e-4), through, inside);
-            lit = min(returned, 1.0) * irradiance / 3.14159265;
+            lit = min(returned * max(relief, 1.0), 1.0) / max(relief, 1.0) * irradiance / 3.14159265;
         }
 #endif
         let behind = select(lit, sky_beyond(toward), i == PLANET_GROUND && !ends);

@@ -5,7 +5,6 @@
 #include <light/daylight.wgsl>
 #include <quality.wgsl>
 #include <sky/air.wgsl>
-#include <sky/cirrus.wgsl>
 #include <sky/medium.wgsl>
 #include <sky/sky.wgsl>
 
@@ -13,6 +12,10 @@
 #option weather.clouds = false
 /// Whether a second layer is: the group `cirrus`.
 #option weather.second_layer = false
+/// Whether, without a second layer, thin clouds lie on a plane: the group `veil`.
+#option weather.veil = false
+/// Whether wisps of ice are painted on the sky: `sky.cirrus_cover` and its like.
+#option weather.cirrus = false
 /// Whether the clouds' shadows are seen in the air, as shafts of light through their gaps.
 #option weather.shafts = false
 
@@ -21,11 +24,16 @@
 #endif
 #if weather.second_layer
 #include <clouds/layer.wgsl> as cirrus
+#elif weather.veil
+#include <clouds/planar.wgsl>
+#endif
+#if weather.cirrus
+#include <sky/cirrus.wgsl>
 #endif
 
-#if weather.clouds && weather.second_layer
+#if weather.clouds && (weather.second_layer || weather.veil)
 const WEATHER_LAYERS: i32 = 2;
-#elif weather.clouds || weather.second_layer
+#elif weather.clouds || weather.second_layer || weather.veil
 const WEATHER_LAYERS: i32 = 1;
 #else
 const WEATHER_LAYERS: i32 = 0;
@@ -44,6 +52,9 @@ struct WeatherLayer {
 /// The light at `position` (m), under the clouds if there are any: their shadows are `weather_sun_seen`'s.
 fn weather_daylight(position: vec3f) -> Daylight {
     var day = sky_daylight(position);
+#if weather.second_layer
+    day.sky = mix(cirrus_clouds_irradiance(day), day.sky, clamp(cirrus_cloud_height_fraction(position), 0.0, 1.0));
+#endif
 #if weather.clouds
     let above = clamp(cloud_height_fraction(position), 0.0, 1.0);
     day.sky = mix(clouds_irradiance(day), day.sky, above);
@@ -59,6 +70,8 @@ fn weather_sun_seen(position: vec3f, day: Daylight) -> f32 {
 #endif
 #if weather.second_layer
     seen *= cirrus_clouds_shadow(position, day.to_sun);
+#elif weather.veil
+    seen *= planar_clouds_shadow(position, day.to_sun);
 #endif
 #if weather.clouds || weather.second_layer
     seen = max(1.004 * seen - 0.004, 0.0);
@@ -85,12 +98,23 @@ fn weather_air_blurred(
     var first = WeatherLayer(vec3f(0.0), 1.0, distance);
     var second = first; // the farther one
 #if weather.clouds
-    let at_low = sky_daylight(vec3f(origin.x, clouds.base + 0.5 * clouds.thickness, origin.z));
     let blurred = smoothstep(0.03, 0.09, blur);
     var low = CloudsSeen(vec3f(0.0), 1.0, distance);
     if blurred < 1.0 {
-        low = clouds_trace(origin, direction, 0.0, distance, jitter, max(camera_pixel_angle(), blur), at_low);
+        low = clouds_found(origin, direction, 0.0, distance, jitter, max(camera_pixel_angle(), blur));
     }
+    // They are lit where they are: from orbit it may be night there.
+    let above = vec3f(origin.x, clouds.base + 0.5 * clouds.thickness, origin.z);
+    let low_place = select(origin + min(low.distance, 1e9) * direction, above, low.transmittance > 0.9999);
+    var at_low = sky_daylight(low_place);
+#if weather.second_layer
+    // The other layer's shadow falls on this one, if it is the higher.
+    at_low.sun *= cirrus_clouds_shadow(low_place, at_low.to_sun);
+    at_low.sky = mix(cirrus_clouds_irradiance(at_low), at_low.sky, clamp(cirrus_cloud_height_fraction(low_place), 0.0, 1.0));
+#elif weather.veil
+    at_low.sun *= planar_clouds_shadow(low_place, at_low.to_sun);
+#endif
+    low.radiance = clouds_lit(low.radiance, low_place, at_low);
     if blurred > 0.0 {
         let mean = clouds_mean(origin, direction, distance, at_low);
         low.radiance = mix(low.radiance, mean.radiance, blurred);
@@ -100,8 +124,12 @@ fn weather_air_blurred(
     first = WeatherLayer(low.radiance, low.transmittance, low.distance);
 #endif
 #if weather.second_layer
-    let at_high = sky_daylight(vec3f(origin.x, cirrus.base + 0.5 * cirrus.thickness, origin.z));
-    let high = cirrus_clouds_trace(origin, direction, 0.0, distance, jitter, camera_pixel_angle(), at_high);
+    let high = cirrus_clouds_found(origin, direction, 0.0, distance, jitter, camera_pixel_angle());
+    let high_place = origin + min(high.distance, 1e9) * direction;
+    let high_radiance = cirrus_clouds_lit(high.radiance, high_place, sky_daylight(high_place));
+    second = WeatherLayer(high_radiance, high.transmittance, high.distance);
+#elif weather.veil
+    let high = planar_clouds_trace(origin, direction, 0.0, distance, camera_pixel_angle(), sky_daylight(origin));
     second = WeatherLayer(high.radiance, high.transmittance, high.distance);
 #endif
     if second.distance < first.distance {
@@ -153,10 +181,12 @@ fn weather_air_blurred(
     seen.from_sky = mix(seen.from_sky, veil * around, covered);
 #endif
     seen.from_sky += from_clouds;
-    if distance < RAY_FAR {
-        return seen;
+#if weather.cirrus
+    if distance >= RAY_FAR {
+        return cirrus_in(seen, origin, direction, day);
     }
-    return cirrus_in(seen, origin, direction, day);
+#endif
+    return seen;
 }
 
 #if weather.clouds

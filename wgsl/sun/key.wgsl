@@ -20,7 +20,11 @@ fn key_is_moon() -> bool {
 /// Unit vector to the light that throws the shadows: the sun's, and if the moon shines, the moon's once the sun is 5°
 /// below the horizon. At the change both give no light.
 fn key_direction() -> vec3f {
+#if moon.shines
     return select(sun_direction(), moon_direction(), key_is_moon());
+#else
+    return sun_direction();
+#endif
 }
 
 /// Its irradiance on a surface that faces it, linear sRGB, before any air. If the moon shines, the sun's goes out between
@@ -36,5 +40,9 @@ fn key_light() -> vec3f {
 
 /// Its angular radius (rad).
 fn key_radius() -> f32 {
+#if moon.shines
     return select(sun.radius, moon.radius, key_is_moon());
+#else
+    return sun.radius;
+#endif
 }
