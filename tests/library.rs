@@ -177,3 +177,33 @@ fn presets_hold_no_unknown_key() {
         assert!(value["about"].as_str().is_some_and(|about| !about.is_empty()), "{name} says what it is");
     }
 }
+
+#[test]
+fn an_element_that_is_switched_off_leaves_no_code_behind() {
+    // What switches it on, and what its names begin with.
+    let elements: [(&str, &[&str]); 9] = [
+        ("landscape.trees=true", &["trees_", "tree_", "crown_"]),
+        ("landscape.water=true", &["water_"]),
+        ("weather.clouds=true", &["cloud_", "clouds_"]),
+        ("weather.second_layer=true", &["cirrus_cloud_", "cirrus_clouds_"]),
+        ("weather.veil=true", &["planar_clouds_"]),
+        ("weather.cirrus=true", &["cirrus_in", "cirrus_fbm2"]),
+        ("moon.shines=true", &["moon_"]),
+        ("stars.shine=true", &["star_", "milky_way_"]),
+        ("sky.model=atmosphere", &["atmosphere_", "orders_"]),
+    ];
+    let library = Library::standard();
+    let has = |preset: &Preset, prefix: &str| {
+        let shader = orogen::compose(&library, preset, &Bake::constants()).unwrap();
+        shader.wgsl().contains(&format!("fn {prefix}"))
+    };
+    let bare = Preset::of_module("scene/landscape.wgsl");
+    for (switch, prefixes) in elements {
+        let mut with = bare.clone();
+        with.set(switch).unwrap();
+        assert!(prefixes.iter().any(|prefix| has(&with, prefix)), "{switch} brings nothing in");
+        for prefix in prefixes {
+            assert!(!has(&bare, prefix), "without {switch} there is still a function `{prefix}…`");
+        }
+    }
+}

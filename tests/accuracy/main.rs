@@ -32,3 +32,4 @@ mod terrain;
 mod trees;
 mod volume;
 mod water;
+mod weather;
