@@ -1,5 +1,7 @@
 // What a planet's air is made of: molecules, aerosols and ozone, each with its density over height. The defaults are
-// Earth's (Hillaire 2020, after Bruneton 2017).
+// Earth's (Hillaire 2020, after Bruneton 2017), at 680, 550 and 440 nm. sRGB's red lies nearer to 600 nm, where ozone takes
+// most: for twilight as blue as the spectrum has it, set Rayleigh scattering to (7.04, 14.39, 33.7) and ozone absorption to
+// (2.44, 1.72, 0.01), fitted to the colours of a spectral sky with suns from 30° to 95° from the zenith.
 
 /// Radius of the planet at sea level.
 #param sky.ground_radius: f32 = 6360000.0, range 1000 .. 100000000, log, unit m
