@@ -61,7 +61,8 @@ fn cloud_source(
     let albedo = min(medium.albedo, 0.999999);
     let scale = 1.0 - albedo * peak;
     let depth = to_sun * mu * scale;
-    let rest = max(far, lit + far - to_sun * mu) * scale; // turned, it is as thick as it is level
+    // Turned, it is as thick as it is level.
+    let rest = mix(far, max(far, lit + far - to_sun * mu), turned) * scale;
     let field = cloud_field(depth, rest, mu, (1.0 - peak) * albedo / scale, (mean - peak) / (1.0 - peak));
 
     // Numbers below are fitted to path-traced layers. Two streams know nothing of rays and beams that graze the layer.
