@@ -182,7 +182,7 @@ fn presets_hold_no_unknown_key() {
 fn an_element_that_is_switched_off_leaves_no_code_behind() {
     // What switches it on, and what its names begin with.
     let elements: [(&str, &[&str]); 9] = [
-        ("landscape.trees=true", &["trees_", "tree_", "crown_"]),
+        ("landscape.trees=true", &["trees_trace", "trees_shade", "crown_"]),
         ("landscape.water=true", &["water_"]),
         ("weather.clouds=true", &["cloud_", "clouds_"]),
         ("weather.second_layer=true", &["cirrus_cloud_", "cirrus_clouds_"]),
