@@ -38,7 +38,7 @@ fn presets(list: &str) -> Vec<(String, String)> {
 /// What makes a preset's picture.
 fn words(preset: &str) -> Vec<String> {
     let picture = format!("docs/gallery/{preset}.jpg");
-    ["render", preset, "--size", "960x540", "--samples", "4", "-o", &picture].map(str::to_owned).into()
+    ["render", preset, "--size", "960x540", "--samples", "2", "-o", &picture].map(str::to_owned).into()
 }
 
 fn hold_to_size(preset: &str) -> Outcome {
