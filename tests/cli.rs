@@ -630,7 +630,7 @@ fn a_skybox_is_one_column_of_faces_or_six_files() {
     }
 
     let told = run(&["--size", "8x8", "--faces", "--frames", "2", "--samples", "2", "-o", "skies.exr"]);
-    assert!(told.starts_with("skies_0001_px.exr and 11 more"), "{told}");
+    assert!(told.contains("skies_0001_px.exr and 11 more"), "{told}"); // drivers may speak before
     let (linear, size) = picture(&folder, "skies_0002_nz.exr");
     assert_eq!((size, linear.color()), ((8, 8), image::ColorType::Rgba32F));
 }

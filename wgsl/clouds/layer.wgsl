@@ -488,6 +488,7 @@ struct CloudsSlab {
     of_sun: f32,
 }
 
+/// The layer as a slab of its mean depth, under the sun of `day`.
 fn clouds_slab(day: Daylight) -> CloudsSlab {
     let g = mix(clouds.back, clouds.forward, clouds.forward_share);
     // By how much a normal distribution exceeds a threshold where it does, in the mean: within 6 % from -4 to 1.
@@ -511,6 +512,7 @@ fn clouds_irradiance(day: Daylight) -> vec3f {
     return clouds_irradiance_under(clouds_slab(day), day);
 }
 
+/// As `clouds_irradiance`, of a `slab` that is known already.
 fn clouds_irradiance_under(slab: CloudsSlab, day: Daylight) -> vec3f {
     let of_sun = max(day.to_sun.y, 0.0) * day.sun;
     let through = mix(day.sky, slab.of_sky * day.sky + slab.of_sun * of_sun, clouds.coverage);
