@@ -2,10 +2,10 @@
 
 #include <clouds/forms.wgsl>
 #include <frame.wgsl>
+#include <geometry/globe.wgsl>
 #include <geometry/ray.wgsl>
 #include <light/daylight.wgsl>
 #include <light/cloud.wgsl>
-#include <math/rotation.wgsl>
 #include <noise/perlin.wgsl>
 #include <noise/puffs.wgsl>
 #include <quality.wgsl>
@@ -135,11 +135,18 @@ const CLOUD_TURN: mat3x3f = mat3x3f(
 /// Height of `p` above sea level (m): above the sphere of radius `sky.ground_radius` or, of a slab, above y = 0.
 fn cloud_altitude(p: vec3f) -> f32 {
 #if clouds.shape == shell
-    // |p - centre| - R without the difference of two large numbers.
-    let beyond = dot(p, p) + 2.0 * sky.ground_radius * p.y;
-    return beyond / (sqrt(max(beyond + sky.ground_radius * sky.ground_radius, 0.0)) + sky.ground_radius);
+    return globe_height(p, sky.ground_radius);
 #else
     return p.y;
+#endif
+}
+
+/// Unit vector upward at `p` (m).
+fn cloud_up(p: vec3f) -> vec3f {
+#if clouds.shape == shell
+    return globe_up(p, sky.ground_radius);
+#else
+    return vec3f(0.0, 1.0, 0.0);
 #endif
 }
 
@@ -147,25 +154,6 @@ fn cloud_altitude(p: vec3f) -> f32 {
 fn cloud_height_fraction(p: vec3f) -> f32 {
     return (cloud_altitude(p) - clouds.base) / clouds.thickness;
 }
-
-#if clouds.shape == shell
-
-/// The ray's line in the sphere `height` (m) above sea level, from a place at `altitude` (m): fine to the metre also
-/// where the planet is flat to f32.
-fn cloud_sphere(origin: vec3f, direction: vec3f, altitude: f32, height: f32) -> RaySpan {
-    // t² + 2 rise t + power = 0; the difference of the squared radii as a product.
-    let rise = dot(origin, direction) + sky.ground_radius * direction.y;
-    let power = (altitude - height) * (altitude + height + 2.0 * sky.ground_radius);
-    let square = rise * rise - power;
-    if square < 0.0 {
-        return ray_missed();
-    }
-    let away = select(-rise - sqrt(square), -rise + sqrt(square), rise < 0.0); // the root that is no small difference
-    let other = select(power / away, 0.0, away == 0.0);
-    return RaySpan(min(away, other), max(away, other));
-}
-
-#endif
 
 /// The part of a ray's line that can meet the layer.
 ///
@@ -176,16 +164,15 @@ fn cloud_span(origin: vec3f, direction: vec3f) -> RaySpan {
     let low = clouds.base;
     let high = clouds.base + clouds.thickness * cloud_end();
 #if clouds.shape == shell
-    let altitude = cloud_altitude(origin);
-    let outer = cloud_sphere(origin, direction, altitude, high);
-    let inner = cloud_sphere(origin, direction, altitude, low);
+    let outer = globe_span(origin, direction, sky.ground_radius, high);
+    let inner = globe_span(origin, direction, sky.ground_radius, low);
     if outer.near > outer.far || inner.near > inner.far {
         return outer;
     }
-    if altitude < low {
+    if cloud_altitude(origin) < low {
         return RaySpan(inner.far, outer.far);
     }
-    let is_ground_ahead = ray_meets(cloud_sphere(origin, direction, altitude, min(0.0, low)));
+    let is_ground_ahead = ray_meets(globe_span(origin, direction, sky.ground_radius, min(0.0, low)));
     return RaySpan(outer.near, select(outer.far, inner.near, is_ground_ahead));
 #else
     let span = ray_slab(origin.y, direction.y, low, high);
@@ -235,7 +222,7 @@ fn cloud_weather(p: vec3f, above: f32) -> CloudWeather {
     let slope = 1.0 + CLOUD_GAIN * CLOUD_LACUNARITY + region_gain / CLOUD_REGION;
 #if clouds.shape == shell
     // On the planet's surface beneath: p less its height.
-    let up = normalize_or(p + vec3f(0.0, sky.ground_radius, 0.0), vec3f(0.0, 1.0, 0.0));
+    let up = cloud_up(p);
     let place = (p - cloud_altitude(p) * up - vec3f(drift.x, 0.0, drift.y)) * frequency;
     let heaps = perlin_noise3(place, clouds.seed);
     let knots = perlin_noise3(CLOUD_LACUNARITY * (CLOUD_TURN * place) + 17.3, clouds.seed + 1u);
@@ -530,11 +517,7 @@ fn clouds_ground_irradiance(slab: CloudsSlab, day: Daylight) -> vec3f {
 fn cloud_lit(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> vec3f {
     let medium = CloudMedium(clouds.forward, clouds.back, clouds.forward_share, clouds.albedo);
     let to_sun = key_direction();
-#if clouds.shape == shell
-    let up = normalize_or(p + vec3f(0.0, sky.ground_radius, 0.0), vec3f(0.0, 1.0, 0.0));
-#else
-    let up = vec3f(0.0, 1.0, 0.0);
-#endif
+    let up = cloud_up(p);
     let cos_theta = dot(direction, to_sun);
     let view_mu = dot(direction, up);
     let depths = cloud_depths(p);
@@ -607,7 +590,7 @@ fn clouds_found(
 /// `day` as the place `p` (m) has it: its sun as high as over the horizon there.
 fn cloud_local(p: vec3f, day: Daylight) -> Daylight {
 #if clouds.shape == shell
-    let up = normalize_or(p + vec3f(0.0, sky.ground_radius, 0.0), vec3f(0.0, 1.0, 0.0));
+    let up = cloud_up(p);
     let height = dot(day.to_sun, up);
     return Daylight(vec3f(sqrt(max(1.0 - height * height, 0.0)), height, 0.0), day.radius, day.sun, day.sky);
 #else

@@ -3,6 +3,8 @@
 // The centre is at (0, -radius, 0), so that places near the origin are small numbers, as over flat land, and the same
 // coordinates serve from the ground up to other planets.
 
+#include <geometry/ray.wgsl>
+
 /// Unit vector away from the globe's centre at `p` (m); (0, 1, 0) in the centre.
 fn globe_up(p: vec3f, radius: f32) -> vec3f {
     let out = vec3f(p.x, p.y + radius, p.z) / radius;
@@ -36,10 +38,9 @@ fn globe_frame(up: vec3f) -> mat3x3f {
     );
 }
 
-/// Distances along the unit `direction` from `origin` (m) to the sphere `height` (m) above a globe: (near, far), near
-/// > far where it is missed. As exact as the direction also where the origin is close to
-/// the sphere.
-fn globe_span(origin: vec3f, direction: vec3f, radius: f32, height: f32) -> vec2f {
+/// The part of a ray inside of the sphere `height` (m) above a globe, as `ray_sphere` has it; as exact as the unit
+/// `direction` also where `origin` (m) is close to the sphere, which `ray_sphere` is not.
+fn globe_span(origin: vec3f, direction: vec3f, radius: f32, height: f32) -> RaySpan {
     // In units of the radius: t² + 2 b t + c = 0.
     let q = origin / radius;
     let above = globe_height(origin, radius) / radius - height / radius;
@@ -52,11 +53,11 @@ fn globe_span(origin: vec3f, direction: vec3f, radius: f32, height: f32) -> vec2
     let foot = length(out - b * direction);
     let inside = select((outer - foot) * (outer + foot), b * b - c, max(b * b, abs(c)) < 1.0);
     if inside < 0.0 {
-        return vec2f(1e30, -1e30);
+        return ray_missed();
     }
     let half_chord = sqrt(max(inside, 1e-30));
     // The root of larger size first; the other from their product.
     let large = -b - select(-half_chord, half_chord, b >= 0.0);
     let small = c / select(min(large, -1e-15), max(large, 1e-15), large >= 0.0);
-    return radius * vec2f(min(large, small), max(large, small));
+    return RaySpan(radius * min(large, small), radius * max(large, small));
 }

@@ -32,11 +32,11 @@ struct Steps {
 /// falsi (Illinois), which has nearly a digit a try where the ground is even.
 fn march(origin: vec3f, direction: vec3f, radius: f32, ceiling: f32, far: f32, how: Steps) -> MarchHit {
     let within = globe_span(origin, direction, radius, ceiling);
-    if within.y <= 0.0 || within.x > within.y {
+    if within.far <= 0.0 || within.near > within.far {
         return MarchHit(far, false, 0, 0);
     }
-    let end = min(far, within.y);
-    var t = max(within.x, 0.0);
+    let end = min(far, within.far);
+    var t = max(within.near, 0.0);
     var low = t; // above ground
     var high = t;
     var above_low = 0.0;
@@ -76,7 +76,7 @@ fn march(origin: vec3f, direction: vec3f, radius: f32, ceiling: f32, far: f32, h
             if steps + 1 >= how.max_steps {
                 return MarchHit(low, true, steps + 1, steps + 1);
             }
-            if t > end && low < end && end < within.y {
+            if t > end && low < end && end < within.far {
                 t = end; // the last look, where the ray is to end
             }
         }

@@ -3,6 +3,7 @@
 #include <camera/camera.wgsl>
 #include <camera/display.wgsl>
 #include <frame.wgsl>
+#include <geometry/globe.wgsl>
 #include <geometry/ray.wgsl>
 #include <light/daylight.wgsl>
 #include <noise/interleaved_gradient.wgsl>
@@ -31,22 +32,16 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 /// A loop over the ray and what the sea mirrors of it, so that weather is asked for in one place. The sea follows the
 /// planet's curve: its horizon lies where it does from an aeroplane.
 fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
-    let below = -sky.ground_radius + water.level;
     var start = origin;
     var toward = direction;
     var distance = RAY_FAR;
     var radiance = vec3f(0.0);
     var passed = vec3f(1.0);
     for (var bounce = 0; bounce < 2; bounce++) {
-        // Down from a place h above a sphere: the distance to it without the difference of two large numbers.
-        let h = start.y - water.level;
-        let down = -toward.y * (sky.ground_radius + h);
-        let square = down * down - h * (h + 2.0 * sky.ground_radius);
-        var way = RAY_FAR;
-        if bounce == 0 && h > 0.0 && down > 0.0 && square > 0.0 {
-            way = h * (h + 2.0 * sky.ground_radius) / (down + sqrt(square));
-        }
-        let ends = way < RAY_FAR;
+        let height = globe_height(start, sky.ground_radius) - water.level;
+        let sea_ahead = globe_span(start, toward, sky.ground_radius, water.level);
+        let ends = bounce == 0 && height > 0.0 && ray_meets(sea_ahead);
+        let way = select(RAY_FAR, max(sea_ahead.near, 0.0), ends);
         let end = start + select(0.0, way, ends) * toward;
         let day = weather_daylight(end);
         let air = weather_air(start, toward, way, jitter, day);
@@ -65,7 +60,7 @@ fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         radiance += passed * sea.own;
         passed *= sea.passed;
         // From high up a pixel holds waves of all slopes: they mirror the whole sky.
-        let mingled = smoothstep(800.0, 3000.0, h);
+        let mingled = smoothstep(800.0, 3000.0, height);
         radiance += mingled * passed * day.sky / 3.14159265;
         passed *= 1.0 - mingled;
         start = vec3f(end.x, max(water.level, 0.0) + 2.0, end.z);

@@ -89,7 +89,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #if planet.water
     let sea = globe_span(origin, direction, sky.ground_radius, water.level);
     let afloat = planet_altitude(origin) >= water.level;
-    far = select(RAY_FAR, sea.x, afloat && sea.x > 0.0 && sea.x <= sea.y);
+    far = select(RAY_FAR, sea.near, afloat && sea.near > 0.0 && sea.near <= sea.far);
 #endif
     let land = globe_march(origin, direction, sky.ground_radius, planet_ceiling(), far, steps);
     var way = select(far, land.distance, land.hit);
@@ -154,8 +154,8 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     // Clouds where the ray meets their shell, the clouds between there and the sun, and those over the ground.
     let canopy = globe_span(origin, direction, sky.ground_radius, shell.height);
     let inside = planet_altitude(origin) < shell.height;
-    var cloud_way = select(canopy.x, canopy.y, inside);
-    let meets = canopy.x <= canopy.y && cloud_way > 0.0 && cloud_way < way;
+    var cloud_way = select(canopy.near, canopy.far, inside);
+    let meets = canopy.near <= canopy.far && cloud_way > 0.0 && cloud_way < way;
     cloud_way = select(0.0, cloud_way, meets);
     let cloud_at = origin + cloud_way * direction;
     let axes = planet_axes();

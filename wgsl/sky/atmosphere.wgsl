@@ -1,5 +1,6 @@
 // A planet's air: molecules, aerosols and ozone around a sphere, seen from the ground up to far out in space.
 
+#include <geometry/globe.wgsl>
 #include <geometry/ray.wgsl>
 #include <light/optical_depth.wgsl>
 #include <light/phase.wgsl>
@@ -218,9 +219,8 @@ fn atmosphere_radiance(height: f32, view: vec3f, to_sun: vec3f) -> vec3f {
 /// The air from `origin` (m; `origin.y` above sea level) to `distance` (m) along the unit `direction`; from `RAY_FAR`
 /// on all of it, and the planet's sunlit ground where the ray ends on that.
 fn atmosphere_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
-    let from_center = vec3f(origin.x, origin.y + sky.ground_radius, origin.z);
-    let up = from_center / max(length(from_center), 1.0);
-    let height = atmosphere_height(origin);
+    let up = globe_up(origin, sky.ground_radius);
+    let height = globe_height(origin, sky.ground_radius);
     let way = atmosphere_way(AirPlace(height, clamp(dot(up, direction), -1.0, 1.0)), distance);
     let entry_up = atmosphere_entry_up(way, height, up, direction);
     var air = SkyAir(vec3f(0.0), vec3f(0.0), vec3f(1.0));
@@ -268,7 +268,7 @@ fn atmosphere_light(index: i32) -> AtmosphereLight {
 /// Irradiance of a surface that faces the light that throws the shadows: what the air lets through of it, and of its
 /// disc what stands above the horizon.
 fn atmosphere_sunlight(position: vec3f) -> vec3f {
-    let height = max(atmosphere_height(position), 0.0);
+    let height = max(globe_height(position, sky.ground_radius), 0.0);
     let r = sky.ground_radius + height;
     let mu = atmosphere_mu(position, key_direction());
     let horizon = -sqrt(height * (2.0 * sky.ground_radius + height)) / r;
@@ -282,7 +282,7 @@ fn atmosphere_sunlight(position: vec3f) -> vec3f {
 
 /// Irradiance of level ground at `position` (m) by the whole sky, without the light that throws the shadows.
 fn atmosphere_irradiance(position: vec3f) -> vec3f {
-    let height = max(atmosphere_height(position), 0.0);
+    let height = max(globe_height(position, sky.ground_radius), 0.0);
     var irradiance = sky_beyond_irradiance();
     for (var i = 0; i < ATMOSPHERE_LIGHTS; i++) {
         let light = atmosphere_light(i);
@@ -291,17 +291,9 @@ fn atmosphere_irradiance(position: vec3f) -> vec3f {
     return irradiance;
 }
 
-/// Height (m) of `position` above the planet, without cancellation.
-fn atmosphere_height(position: vec3f) -> f32 {
-    let from_center = vec3f(position.x, position.y + sky.ground_radius, position.z);
-    let gained = position.y * (position.y + 2.0 * sky.ground_radius) + dot(position.xz, position.xz);
-    return gained / (length(from_center) + sky.ground_radius);
-}
-
 /// Cosine of the zenith angle, at `position`, of a light in the direction `to_light`.
 fn atmosphere_mu(position: vec3f, to_light: vec3f) -> f32 {
-    let from_center = vec3f(position.x, position.y + sky.ground_radius, position.z);
-    return clamp(dot(from_center / max(length(from_center), 1.0), to_light), -1.0, 1.0);
+    return clamp(dot(globe_up(position, sky.ground_radius), to_light), -1.0, 1.0);
 }
 
 /// The vertical where `way` enters the air, from that at the eye, `height` (m) up.

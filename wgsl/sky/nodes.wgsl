@@ -8,71 +8,35 @@
 
 #if sky.samples <= 2
 const SKY_NODES: i32 = 2;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_2[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_2;
 #elif sky.samples <= 4
 const SKY_NODES: i32 = 4;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_4[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_4;
 #elif sky.samples <= 6
 const SKY_NODES: i32 = 6;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_6[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_6;
 #elif sky.samples <= 8
 const SKY_NODES: i32 = 8;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_8[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_8;
 #elif sky.samples <= 12
 const SKY_NODES: i32 = 12;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_12[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_12;
 #elif sky.samples <= 16
 const SKY_NODES: i32 = 16;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_16[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_16;
 #elif sky.samples <= 24
 const SKY_NODES: i32 = 24;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_24[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_24;
 #elif sky.samples <= 32
 const SKY_NODES: i32 = 32;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_32[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_32;
 #else
 const SKY_NODES: i32 = 64;
-/// Node `i` of the first half of the rule, 0 .. 1/2, and its weight.
-fn sky_rule(i: i32) -> vec2f {
-    return GAUSS_LEGENDRE_64[i];
-}
+const SKY_RULE = GAUSS_LEGENDRE_64;
 #endif
 
 /// The nodes of a short and clear way, where 4 are as good as many: of up to 60 km through haze of optical depth 1.
 const SKY_NODES_NEAR: i32 = min(SKY_NODES, 4);
-
-/// Half of a rule: its first nodes and their weights.
-fn sky_rule_near(i: i32) -> vec2f {
-#if sky.samples <= 4
-    return sky_rule(i);
-#else
-    return GAUSS_LEGENDRE_4[i];
-#endif
-}
 
 /// Node `i` (0 .. `count` - 1) along a part of a ray, as a fraction of its length, and the weight of that node; the
 /// weights sum to 1. `count` is `SKY_NODES` or `SKY_NODES_NEAR`.
@@ -83,11 +47,9 @@ fn sky_rule_near(i: i32) -> vec2f {
 fn sky_node(i: i32, count: i32, from_end: f32) -> vec2f {
     let late = 2 * i >= count;
     let half = select(i, count - 1 - i, late);
-    var rule: vec2f;
-    if count == SKY_NODES {
-        rule = sky_rule(half);
-    } else {
-        rule = sky_rule_near(half);
+    var rule = SKY_RULE[half];
+    if count != SKY_NODES {
+        rule = GAUSS_LEGENDRE_4[half];
     }
     let s = select(rule.x, 1.0 - rule.x, late);
     let u = 1.0 - s;
