@@ -70,6 +70,12 @@ pub enum ExportError {
         /// naga's words.
         why: String,
     },
+    /// `OR0812`
+    #[error("the target `{target}` takes no prefix")]
+    Prefix {
+        /// The target.
+        target: Target,
+    },
     /// `OR0811`
     #[error("naga panicked while writing `{target}`")]
     Panic {
@@ -90,7 +96,7 @@ impl From<ExportError> for Error {
 impl ExportError {
     /// Told at the author's place, where there is one.
     pub(super) fn told(self, shader: &Shader) -> Error {
-        let baked = &shader.checked().baked;
+        let baked = shader.baked();
         let (span, label) = match &self {
             Self::NotInEs300 { span, .. } => (*span, "used here"),
             Self::Unwrappable { span, .. } => (*span, "this entry point"),
@@ -139,6 +145,8 @@ impl ExportError {
             E::Writer { why, .. } => d("OR0810")
                 .note(format!("naga says: {why}"))
                 .help(Some("the target lacks what the shader uses: leave that out, or export another target".into())),
+            E::Prefix { .. } => d("OR0812")
+                .help(Some("a file for Shadertoy is all that its shader has: nothing collides with it".into())),
             E::Panic { why, .. } => d("OR0811").note(format!("naga says: {why}")).help(Some(
                 "this is a fault of naga; export wgsl, which does not go through it, and report a smaller shader there"
                     .into(),

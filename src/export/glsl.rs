@@ -276,7 +276,7 @@ fn wrappable(module: &Module, name: &str) -> Result<(), ExportError> {
 
 /// Shadertoy has no buffers, and textures only by its own names.
 fn unbound(shader: &Shader, module: &Module) -> Result<(), ExportError> {
-    let ours = shader.interface().uniform.as_ref().map(|uniform| uniform.name);
+    let ours = shader.interface().uniform.as_ref().map(|uniform| uniform.name.as_str());
     let mut bound = module.global_variables.iter().filter(|(_, variable)| variable.binding.is_some());
     let Some((handle, variable)) = bound.next() else { return Ok(()) };
     let name = variable.name.clone().unwrap_or_default();
