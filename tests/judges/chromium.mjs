@@ -2,6 +2,7 @@
 //
 // Everything that asks for a picture goes through one browser: it takes a second to start, a page next to nothing.
 
+import { readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import { chromium } from "playwright-core";
 
@@ -22,10 +23,19 @@ const FLAGS = [
 /** `cargo xtask judge` sets the variable to what it finds in PATH. */
 const CHROMIUM = process.env.CHROMIUM ?? "/usr/bin/chromium";
 
-/** Runs in the page: what draws WebGL2's pictures, in its own words; null where nothing does. */
-function webglDriver() {
-  const gl = document.createElement("canvas").getContext("webgl2");
-  return gl && gl.getParameter(gl.getExtension("WEBGL_debug_renderer_info").UNMASKED_RENDERER_WEBGL);
+const BLANK = '<!doctype html><html lang="en"><meta charset="utf-8"><title>Orogen\'s judges</title></html>';
+
+/** Serves a blank page, and the modules of `page/`. */
+function serve(request, answer) {
+  const name = request.url.match(/^\/(\w+\.mjs)$/)?.[1];
+  if (request.url === "/") answer.setHeader("content-type", "text/html").end(BLANK);
+  else if (name) answer.setHeader("content-type", "text/javascript").end(readFileSync(new URL(`page/${name}`, import.meta.url)));
+  else answer.writeHead(404).end();
+}
+
+/** What the function `name` of `page/module` comes to in the page. */
+export function inPage(page, module, name, argument) {
+  return page.evaluate(async ([module, name, argument]) => (await import(`/${module}`))[name](argument), [module, name, argument]);
 }
 
 /**
@@ -33,17 +43,17 @@ function webglDriver() {
  * `driver` is what draws WebGL2's pictures, in its own words.
  */
 export async function inChromium(work) {
-  const blank = '<!doctype html><html lang="en"><meta charset="utf-8"><title>Orogen\'s judges</title></html>';
-  const server = createServer((_, answer) => answer.setHeader("content-type", "text/html").end(blank));
+  const server = createServer(serve);
   await new Promise((ready) => server.listen(0, "localhost", ready));
-  const browser = await chromium.launch({ executablePath: CHROMIUM, args: FLAGS, chromiumSandbox: false });
+  const env = { ...process.env, MESA_SHADER_CACHE_DISABLE: "true" }; // so that compile times are those of a first visit
+  const browser = await chromium.launch({ executablePath: CHROMIUM, args: FLAGS, chromiumSandbox: false, env });
   try {
     const page = await browser.newPage();
     page.on("crash", () => console.error("the page crashed"));
     await page.goto(`http://localhost:${server.address().port}/`);
-    const driver = await page.evaluate(webglDriver);
-    if (!driver || driver.includes("SwiftShader")) {
-      throw new Error(`WebGL2 in Chromium is to draw with the system's GL, but has ${driver ?? "none"}: is Mesa's EGL here?`);
+    const driver = await inPage(page, "webgl2.mjs", "driver");
+    if (driver.includes("SwiftShader")) {
+      throw new Error(`WebGL2 in Chromium is to draw with the system's GL, but has ${driver}: is Mesa's EGL here?`);
     }
     return await work(page, driver);
   } finally {

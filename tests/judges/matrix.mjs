@@ -11,7 +11,7 @@
 
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
-import { inChromium, within } from "./chromium.mjs";
+import { inChromium, inPage, within } from "./chromium.mjs";
 
 /** Seconds that one file may take. */
 const PATIENCE = 60;
@@ -20,57 +20,6 @@ const PATIENCE = 60;
 function outputType(shader) {
   const bare = shader.replace(/\/\*[^]*?\*\/|\/\/[^\n]*/g, " ");
   return bare.match(/\bout\s+(?:(?:lowp|mediump|highp)\s+)?([ui]?vec4)\s+\w+\s*;/)?.[1];
-}
-
-/** Runs in the page: what `shader` puts out over the grid, `{ words }` in base64, or `{ error }`. */
-function draw({ shader, type, width, height }) {
-  // One context for all files, and a new one after a file that cost us the last.
-  if (globalThis.gl?.isContextLost() ?? true) globalThis.gl = document.createElement("canvas").getContext("webgl2");
-  const gl = globalThis.gl;
-  if (!gl) return { error: "there is no WebGL2" };
-  if (!gl.getExtension("EXT_color_buffer_float")) return { error: "there is no EXT_color_buffer_float" };
-  const program = gl.createProgram();
-  const corners = "#version 300 es\nvoid main() { gl_Position = vec4(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1, 0, 1); }";
-  const stages = [
-    [gl.VERTEX_SHADER, corners],
-    [gl.FRAGMENT_SHADER, shader],
-  ].map(([stage, source]) => {
-    const compiled = gl.createShader(stage);
-    gl.shaderSource(compiled, source);
-    gl.compileShader(compiled);
-    gl.attachShader(program, compiled);
-    return compiled;
-  });
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-    const said = [...stages.map((stage) => gl.getShaderInfoLog(stage)), gl.getProgramInfoLog(program)];
-    return { error: said.filter(Boolean).join("\n") || "refused without a word" };
-  }
-  const [internal, format, component, words] = {
-    uvec4: [gl.RGBA32UI, gl.RGBA_INTEGER, gl.UNSIGNED_INT, Uint32Array],
-    ivec4: [gl.RGBA32I, gl.RGBA_INTEGER, gl.INT, Int32Array],
-    vec4: [gl.RGBA32F, gl.RGBA, gl.FLOAT, Float32Array],
-  }[type];
-  const target = gl.createTexture();
-  gl.bindTexture(gl.TEXTURE_2D, target);
-  gl.texStorage2D(gl.TEXTURE_2D, 1, internal, width, height);
-  const frame = gl.createFramebuffer();
-  gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
-  gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, target, 0);
-  gl.viewport(0, 0, width, height);
-  gl.useProgram(program);
-  gl.drawArrays(gl.TRIANGLES, 0, 3);
-  const pixels = new words(4 * width * height);
-  gl.readPixels(0, 0, width, height, format, component, pixels);
-  const fault = gl.isContextLost() ? "the context was lost" : gl.getError();
-  gl.deleteFramebuffer(frame);
-  gl.deleteTexture(target);
-  stages.forEach((stage) => gl.deleteShader(stage));
-  gl.deleteProgram(program);
-  if (fault) return { error: `drawn as ${type}: ${fault}` };
-  let bytes = "";
-  for (const byte of new Uint8Array(pixels.buffer)) bytes += String.fromCharCode(byte);
-  return { words: btoa(bytes) };
 }
 
 const [from, to, grid = "64x64"] = process.argv.slice(2);
@@ -92,7 +41,7 @@ await inChromium(async (page, driver) => {
     const shader = readFileSync(join(from, `${name}.frag`), "utf8");
     const type = outputType(shader);
     const drawn = type
-      ? await within(PATIENCE, page.evaluate(draw, { shader, type, width: +size[1], height: +size[2] }))
+      ? await within(PATIENCE, inPage(page, "grid.mjs", "grid", { shader, type, width: +size[1], height: +size[2] }))
       : { error: "there is no output: `out uvec4`, `out ivec4` or `out vec4`" };
     if (drawn.words) writeFileSync(bin, Buffer.from(drawn.words, "base64"));
     else {
