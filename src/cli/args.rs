@@ -317,7 +317,8 @@ fn finite(text: &str) -> Result<f32, String> {
 }
 
 fn mouse(text: &str) -> Result<[f32; 4], String> {
-    let numbers = text.split(',').map(|number| number.trim().parse().ok().filter(|value: &f32| value.is_finite()));
+    let numbers =
+        text.split(',').map(|number| number.trim().parse().ok().filter(|value: &f32| value.is_finite()));
     let four = numbers.collect::<Option<Vec<f32>>>().and_then(|numbers| numbers.try_into().ok());
     four.ok_or_else(|| "write four numbers of pixels, as in 400,300,200,300".into())
 }
