@@ -286,8 +286,9 @@ fn references(presets: &[&str], folder: &Path) -> Outcome {
 fn draw(preset: &str, folder: &Path) -> Outcome {
     let tone_map = tone_map(&capture(&mut orogen(&["export", preset, "--target", "json"])?)?)?;
     for (number, moment) in MOMENTS.iter().enumerate() {
-        let mut render = orogen(&moment.render(preset, &tone_map))?;
-        render.arg("-o").arg(reference(folder, preset, number)).envs(install::driver_for_tests());
+        let mut render = orogen(&[])?;
+        render.args(moment.render(preset, &tone_map)).arg("-o").arg(reference(folder, preset, number));
+        render.envs(install::driver_for_tests());
         capture(&mut render)?;
     }
     Ok(())
@@ -311,7 +312,7 @@ mod tests {
         Subject { preset: "alpine", road: Road::Shadertoy, moments: ALL, limit: Some(ALPINE_LIMIT) };
 
     fn row(compiled: Result<f64, String>, alike: [Option<f64>; 3]) -> Row<'static> {
-        Row { subject: &ALPINE, compiled, alike: alike.map(|dB| dB.map(Psnr)) }
+        Row { subject: &ALPINE, compiled, alike: alike.map(|one| one.map(Psnr)) }
     }
 
     #[test]
