@@ -94,10 +94,9 @@ fn complete(mut interface: Interface, module: &naga::Module, info: &ModuleInfo) 
             kind: kind(module, variable).to_owned(),
             stages: stages(module, info, handle),
             // Ours is a whole number of 16 bytes, which suits every back end.
-            resource: ours.filter(|ours| variable.name.as_ref() == Some(&ours.name)).map_or_else(
-                || resource(module, variable),
-                |ours| Resource::Uniform { size: ours.size },
-            ),
+            resource: ours
+                .filter(|ours| variable.name.as_ref() == Some(&ours.name))
+                .map_or_else(|| resource(module, variable), |ours| Resource::Uniform { size: ours.size }),
         })
     });
     interface.bindings = bound.collect();
@@ -121,9 +120,15 @@ fn stages(
     variable: naga::Handle<naga::GlobalVariable>,
 ) -> Vec<&'static str> {
     let reads = |(index, _): &(usize, &naga::EntryPoint)| !info.get_entry_point(*index)[variable].is_empty();
-    let mut stages: Vec<_> =
-        module.entry_points.iter().enumerate().filter(reads).map(|(_, entry)| stage_name(entry.stage)).collect();
-    stages.sort_unstable_by_key(|stage| ["vertex", "fragment", "compute"].iter().position(|one| one == stage));
+    let mut stages: Vec<_> = module
+        .entry_points
+        .iter()
+        .enumerate()
+        .filter(reads)
+        .map(|(_, entry)| stage_name(entry.stage))
+        .collect();
+    stages
+        .sort_unstable_by_key(|stage| ["vertex", "fragment", "compute"].iter().position(|one| one == stage));
     stages.dedup();
     stages
 }
@@ -150,7 +155,9 @@ fn resource(module: &naga::Module, variable: &naga::GlobalVariable) -> Resource 
                     };
                     Resource::Texture { sample, dimension, multisampled: *multi }
                 }
-                Class::Depth { multi } => Resource::Texture { sample: "depth", dimension, multisampled: *multi },
+                Class::Depth { multi } => {
+                    Resource::Texture { sample: "depth", dimension, multisampled: *multi }
+                }
                 Class::Storage { format, access } => {
                     let access = match (access.contains(Access::LOAD), access.contains(Access::STORE)) {
                         (true, true) => "ReadWrite",

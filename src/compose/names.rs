@@ -143,7 +143,8 @@ impl<'a> Names<'a> {
         let parameters = parameters.iter().map(|p| (p.decl.key.flat(), (p.file, p.span)));
         let options = options.iter().map(|o| (o.decl.key.flat(), (o.file, o.span)));
         let slots = self.open_slots().into_iter();
-        let slots = slots.map(|(root, slot)| (slot.name.value.clone(), (self.graph.file(root), slot.name.span)));
+        let slots =
+            slots.map(|(root, slot)| (slot.name.value.clone(), (self.graph.file(root), slot.name.span)));
         let all = globals.chain(parameters).chain(options).chain(slots);
         let mut taken: Vec<_> = all.filter(|(name, _)| is_reserved(&self.prefix.before(name))).collect();
         taken.sort_unstable_by_key(|(_, (file, span))| (*file, span.start)); // tables have no order
@@ -538,7 +539,9 @@ impl<'a> Names<'a> {
     /// The identifier that `knob` has in the result.
     pub(super) fn flat(&self, knob: Knob) -> String {
         match knob {
-            Knob::Parameter(index) => self.prefix.before(&self.declarations.parameters[index].decl.key.flat()),
+            Knob::Parameter(index) => {
+                self.prefix.before(&self.declarations.parameters[index].decl.key.flat())
+            }
             Knob::Option(index) => self.prefix.before(&self.declarations.options[index].decl.key.flat()),
         }
     }

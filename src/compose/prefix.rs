@@ -17,7 +17,8 @@ impl Prefix {
     /// `OR0415` where none can: `9_`, `__`, `a-b`.
     pub fn new(prefix: &str) -> Result<Self, Error> {
         // What follows it is a name: that may start with `_`, and two of them are reserved.
-        let fits = prefix.is_empty() || is_ident(&format!("{prefix}a")) && !prefix.starts_with("__") && prefix != "_";
+        let fits = prefix.is_empty()
+            || is_ident(&format!("{prefix}a")) && !prefix.starts_with("__") && prefix != "_";
         if fits {
             Ok(Self(prefix.to_owned()))
         } else {

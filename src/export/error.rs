@@ -71,6 +71,14 @@ pub enum ExportError {
         why: String,
     },
     /// `OR0812`
+    #[error("Orogen itself failed while writing `{target}`")]
+    Fault {
+        /// The target.
+        target: Target,
+        /// What went wrong.
+        why: String,
+    },
+    /// `OR0814`
     #[error("the target `{target}` takes no prefix")]
     Prefix {
         /// The target.
@@ -130,7 +138,7 @@ impl ExportError {
                 d("OR0805").help(Some(format!("choose {}", choices(known.iter().map(String::as_str)))))
             }
             E::NotInEs300 { .. } => d("OR0806")
-                .help(Some("write it out with shifts, `&` and `if`, or export another target".into())),
+                .help(Some("leave it out of what the entry point reaches, or export another target".into())),
             E::Unwrappable { .. } => d("OR0807").help(Some(
                 "let it take `@builtin(position)` alone and return one `vec4f`, or write `main_image` instead".into(),
             )),
@@ -145,8 +153,11 @@ impl ExportError {
             E::Writer { why, .. } => d("OR0810")
                 .note(format!("naga says: {why}"))
                 .help(Some("the target lacks what the shader uses: leave that out, or export another target".into())),
-            E::Prefix { .. } => d("OR0812")
+            E::Prefix { .. } => d("OR0814")
                 .help(Some("a file for Shadertoy is all that its shader has: nothing collides with it".into())),
+            E::Fault { why, .. } => d("OR0812").note(why.clone()).help(Some(
+                "this is a fault of Orogen; a smaller shader that shows it is worth a report".into(),
+            )),
             E::Panic { why, .. } => d("OR0811").note(format!("naga says: {why}")).help(Some(
                 "this is a fault of naga; export wgsl, which does not go through it, and report a smaller shader there"
                     .into(),

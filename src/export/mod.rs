@@ -8,20 +8,20 @@ mod back;
 #[cfg(feature = "check")]
 mod error;
 #[cfg(feature = "check")]
-mod es300;
-#[cfg(feature = "check")]
 mod glsl;
 mod header;
 #[cfg(feature = "check")]
 mod json;
-#[cfg(feature = "check")]
-mod names;
 mod rust;
 mod source_map;
 mod target;
+#[cfg(feature = "check")]
+mod typed;
 
 #[cfg(feature = "check")]
 pub use error::ExportError;
+#[cfg(feature = "check")]
+pub use glsl::Glsl;
 pub use rust::{RustStyle, Types, bindings};
 pub use source_map::source_map;
 pub use target::Stage;
@@ -34,20 +34,20 @@ use crate::shader::Shader;
 use crate::source::{Source, Templates};
 use crate::template;
 
-#[cfg(feature = "check")]
 /// The file for `target`. Of several fragment entry points, GLSL and Shadertoy get the first.
 ///
 /// # Errors
 /// Where the target has no words for what the shader does, or a template cannot be rendered.
+#[cfg(feature = "check")]
 pub fn export(shader: &Shader, target: Target, templates: &Templates) -> Result<Vec<u8>, Error> {
     export_entry(shader, target, None, templates)
 }
 
-#[cfg(feature = "check")]
 /// As [`export`], with the fragment entry point that GLSL or Shadertoy is to get chosen by name.
 ///
 /// # Errors
 /// As [`export`], and where there is no such entry point.
+#[cfg(feature = "check")]
 pub fn export_entry(
     shader: &Shader,
     target: Target,

@@ -292,8 +292,12 @@ fn bind_groups(shader: &Shader) -> Vec<BindGroup> {
     let mut groups: Vec<BindGroup> = Vec::new();
     for binding in &bindings {
         let Some(ty) = layout(&binding.resource) else { continue };
-        let entry =
-            Entry { name: plain(&binding.name), binding: binding.binding, visibility: visibility(binding), ty };
+        let entry = Entry {
+            name: plain(&binding.name),
+            binding: binding.binding,
+            visibility: visibility(binding),
+            ty,
+        };
         match groups.last_mut() {
             Some(last) if last.number == binding.group => last.entries.push(entry),
             _ => groups.push(BindGroup { number: binding.group, entries: vec![entry] }),
@@ -327,7 +331,9 @@ fn layout(resource: &Resource) -> Option<String> {
     let view = |dimension: &str| format!("::wgpu::TextureViewDimension::{dimension}");
     Some(match resource {
         Resource::Uniform { size } => buffer("Uniform", *size),
-        Resource::Storage { read_only, size } => buffer(&format!("Storage {{ read_only: {read_only} }}"), *size),
+        Resource::Storage { read_only, size } => {
+            buffer(&format!("Storage {{ read_only: {read_only} }}"), *size)
+        }
         Resource::Sampler { comparison } => {
             let kind = if *comparison { "Comparison" } else { "Filtering" };
             format!("::wgpu::BindingType::Sampler(::wgpu::SamplerBindingType::{kind})")
@@ -392,7 +398,8 @@ fn free(mut name: String, taken: &mut HashSet<String>) -> String {
 /// `text` as a Rust literal: raw, so that it can be read, where Rust allows that.
 fn text_literal(text: &str) -> String {
     let odd = |c: char| {
-        c != '\n' && c != '\t' && c.is_control() || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
+        c != '\n' && c != '\t' && c.is_control()
+            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
     };
     if text.contains(odd) {
         let escaped: String = text.chars().flat_map(char::escape_default).collect();

@@ -20,8 +20,8 @@ pub enum Stage {
     MainImage,
 }
 
-#[cfg(feature = "check")]
 /// A kind of file.
+#[cfg(feature = "check")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Target {
     /// The composed WGSL itself.
@@ -93,10 +93,15 @@ impl Target {
         }
     }
 
-    /// How parameters are to be baked: on Shadertoy, live ones are global variables, since no host sets uniforms there.
+    /// How parameters are to be baked: on Shadertoy, live ones are global variables, since no host sets uniforms there. In
+    /// GLSL the group `frame` is uniforms of their own, beside the buffer of the live ones.
     #[must_use]
     pub fn bake(self, bake: Bake) -> Bake {
-        if self == Self::Shadertoy { bake.as_variables() } else { bake }
+        match self {
+            Self::Shadertoy => bake.as_variables(),
+            Self::Glsl => bake.with_frame_as_variables(),
+            _ => bake,
+        }
     }
 }
 

@@ -177,10 +177,10 @@ pub fn schema(declarations: &Declarations, scene: &str) -> String {
         let key = &option.decl.key;
         put(&key.group, &key.name, option_schema(&option.decl));
     }
-    let text = |description: &str| {
-        Json::object([("description", description.into()), ("type", "string".into())])
-    };
-    let version = Json::object([("description", "Version of the preset format.".into()), ("const", 1.into())]);
+    let text =
+        |description: &str| Json::object([("description", description.into()), ("type", "string".into())]);
+    let version =
+        Json::object([("description", "Version of the preset format.".into()), ("const", 1.into())]);
     let set = Json::object([
         ("type", "object".into()),
         ("additionalProperties", false.into()),
@@ -192,7 +192,9 @@ pub fn schema(declarations: &Declarations, scene: &str) -> String {
         ("about", text("One line about the preset.")),
         (
             "extends",
-            text("A built-in preset, or a .json file beside this one, whose values hold where this one sets none."),
+            text(
+                "A built-in preset, or a .json file beside this one, whose values hold where this one sets none.",
+            ),
         ),
         ("scene", text("The fragment that is the scene.")),
         ("set", set),
