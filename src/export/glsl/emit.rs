@@ -7,9 +7,7 @@ use super::names::Names;
 use super::order::{Step, order, reached};
 use super::values;
 use super::write::{Refusal, Writer, Written};
-use crate::export::typed::{
-    Decl, DeclKind, ExprKind, Meaning, Statement, StatementKind, Tok, Ty, Typed, parse, type_check,
-};
+use crate::export::typed::{Decl, DeclKind, ExprKind, Meaning, Statement, StatementKind, Tok, Ty, Typed, parse, type_check};
 use crate::syntax::{TokenKind, is_line_break};
 
 /// What is to be written, and into what it goes.
@@ -238,8 +236,7 @@ fn own_comments(typed: &Typed<'_>, from: Tok, decl: &Decl) -> Tok {
 /// The function that `entry` calls with its position and whose value it returns, if it does nothing else.
 fn only_calls(typed: &Typed<'_>, entry: u32) -> Option<u32> {
     let DeclKind::Function(function) = &typed.tree.declarations[entry as usize].kind else { return None };
-    let [Statement { kind: StatementKind::Return(Some(value)), .. }] = function.body.statements.as_slice()
-    else {
+    let [Statement { kind: StatementKind::Return(Some(value)), .. }] = function.body.statements.as_slice() else {
         return None;
     };
     let ExprKind::Call { callee, arguments } = &typed.tree.expr(*value).kind else { return None };
