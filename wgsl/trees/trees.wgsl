@@ -23,38 +23,50 @@
 #param trees.bark: vec3f = (0.11, 0.085, 0.065), color
 
 #if quality == low
-const TREE_STEPS: i32 = 500; // cells looked at along a ray
-const TREE_CROWNS: i32 = 10; // crowns marched through
-const TREE_MARCH: i32 = 18; // steps in each
-const TREE_STRIDE: f32 = 0.75; // part of the crown's field that a step covers
+const TREE_FAR: f32 = 0.4; // part of `trees.far` up to where they are drawn one by one
+const TREE_DETAIL: f32 = 2.5; // width of the smallest detail looked at, in pixels
+const TREE_STEPS: i32 = 250; // cells looked at along a ray
+const TREE_CROWNS: i32 = 6; // crowns marched through
+const TREE_MARCH: i32 = 10; // steps in each
+const TREE_STRIDE: f32 = 0.9; // part of the crown's field that a step covers
 const TREE_CLIMB: f32 = 0.6; // steepest ground that trees are looked for behind
-const TREE_SHADOW_STEPS: i32 = 80;
-const TREE_SHADES: i32 = 10; // crowns looked through to the sun
-const TREE_LOOKS: i32 = 2; // looks at each
+const TREE_PROBES: i32 = 24; // cells from one look at the ground to the next
+const TREE_SHADOW_STEPS: i32 = 30;
+const TREE_SHADES: i32 = 4; // crowns looked through to the sun
+const TREE_LOOKS: i32 = 1; // looks at each
 #elif quality == medium
+const TREE_FAR: f32 = 1.0;
+const TREE_DETAIL: f32 = 1.0;
 const TREE_STEPS: i32 = 1000;
 const TREE_CROWNS: i32 = 16;
 const TREE_MARCH: i32 = 28;
 const TREE_STRIDE: f32 = 0.65;
 const TREE_CLIMB: f32 = 0.8;
+const TREE_PROBES: i32 = 12;
 const TREE_SHADOW_STEPS: i32 = 120;
 const TREE_SHADES: i32 = 16;
 const TREE_LOOKS: i32 = 3;
 #elif quality == high
+const TREE_FAR: f32 = 1.0;
+const TREE_DETAIL: f32 = 1.0;
 const TREE_STEPS: i32 = 1600;
 const TREE_CROWNS: i32 = 24;
 const TREE_MARCH: i32 = 44;
 const TREE_STRIDE: f32 = 0.5;
 const TREE_CLIMB: f32 = 1.0;
+const TREE_PROBES: i32 = 12;
 const TREE_SHADOW_STEPS: i32 = 160;
 const TREE_SHADES: i32 = 24;
 const TREE_LOOKS: i32 = 4;
 #else
+const TREE_FAR: f32 = 1.0;
+const TREE_DETAIL: f32 = 1.0;
 const TREE_STEPS: i32 = 3000;
 const TREE_CROWNS: i32 = 40;
 const TREE_MARCH: i32 = 90;
 const TREE_STRIDE: f32 = 0.35;
 const TREE_CLIMB: f32 = 1.5;
+const TREE_PROBES: i32 = 12;
 const TREE_SHADOW_STEPS: i32 = 300;
 const TREE_SHADES: i32 = 40;
 const TREE_LOOKS: i32 = 8;
@@ -200,7 +212,7 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Tr
             depth = woods_depth(tree.foot.xz);
             candidate = tree.chance < woods_density(depth);
         }
-        let probe = !candidate && (*walk).unprobed > 12;
+        let probe = !candidate && (*walk).unprobed > TREE_PROBES;
         if !candidate && !probe {
             continue;
         }
@@ -258,13 +270,13 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Tr
 /// Trees narrower than a pixel or two, from two thirds of `trees.far` on, are left out one by one. Details are
 /// filtered to the pixel. A ray that starts inside of a crown meets it at once.
 fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit {
-    var walk = trees_walk(origin, direction, near, min(far, trees.far));
-    let pixel_angle = camera_pixel_angle();
+    var walk = trees_walk(origin, direction, near, min(far, TREE_FAR * trees.far));
+    let pixel_angle = TREE_DETAIL * camera_pixel_angle();
     var result: TreeHit;
     result.distance = far;
     var marched = 0;
     for (var i = 0; i < TREE_CROWNS; i++) {
-        let met = trees_next(&walk, TREE_STEPS, 0.667 * trees.far);
+        let met = trees_next(&walk, TREE_STEPS, 0.667 * TREE_FAR * trees.far);
         if !met.found {
             break;
         }
@@ -334,7 +346,7 @@ fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit 
 /// them, blurred by the sun's width the farther off the more. Beyond where single trees are drawn: 1.
 fn trees_shadow(position: vec3f, footprint: f32, day: Daylight) -> f32 {
     let to_sun = day.to_sun;
-    let drawn = trees.far * camera_pixel_angle();
+    let drawn = TREE_FAR * trees.far * camera_pixel_angle();
     let fade = 1.0 - smoothstep(0.5 * drawn, drawn, footprint);
     if to_sun.y <= 0.0 || fade <= 0.0 {
         return 1.0;
@@ -392,7 +404,7 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, day: Daylight, sun
     let tree = hit.tree;
     let q = position - tree.foot;
     let to_sun = day.to_sun;
-    let footprint = hit.distance * camera_pixel_angle();
+    let footprint = TREE_DETAIL * hit.distance * camera_pixel_angle();
     let up = clamp(q.y / tree.height, 0.0, 1.0);
     let dice = unit_float3(pcg3d(vec3u(tree.id, 11u, 13u)));
     if hit.bark {
