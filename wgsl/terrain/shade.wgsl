@@ -26,14 +26,14 @@
 #param terrain.hollow: f32 = 250.0, range 0.1 .. 10000, unit m
 
 #if quality == low
-const LAND_STEPS: i32 = 36;
+const LAND_STEPS: i32 = 80;
 const LAND_HALVINGS: i32 = 3; // of the last step, to find the ground in it
 const LAND_RELAX: f32 = 0.9;
-const LAND_GROWTH: f32 = 0.02;
+const LAND_GROWTH: f32 = 0.03;
 const LAND_SHADOW_STEPS: i32 = 6;
 const LAND_DETAIL: f32 = 3.0; // width of the smallest detail looked at, in pixels
 const LAND_BLUR: f32 = 2.0; // how much coarser the land may be while a ray looks for it
-const LAND_MIRRORED: f32 = 3.0; // by how much a mirrored ray takes fewer and longer steps
+const LAND_MIRRORED: f32 = 2.0; // by how much a mirrored ray takes fewer and longer steps
 #elif quality == medium
 const LAND_STEPS: i32 = 150;
 const LAND_HALVINGS: i32 = 8;
@@ -73,8 +73,7 @@ fn terrain_trace(origin: vec3f, direction: vec3f) -> MarchHit {
     return terrain_trace_in(origin, direction, 1.0);
 }
 
-/// As `terrain_trace`, in steps `haste` (1 or more) times as long as far as they do not depend on the land, and as many
-/// times fewer.
+/// As `terrain_trace`, in steps `haste` (1 or more) times as long, and as many times fewer.
 fn terrain_trace_in(origin: vec3f, direction: vec3f, haste: f32) -> MarchHit {
     let most = i32(f32(LAND_STEPS) / haste);
     let pixel_angle = LAND_DETAIL * camera_pixel_angle();
@@ -86,7 +85,7 @@ fn terrain_trace_in(origin: vec3f, direction: vec3f, haste: f32) -> MarchHit {
     let how = land_Bounded(octaves, plain, coarsest, terrain.lacunarity, pixel_angle, 0.01, 4 * most);
     return land_march(origin - vec3f(0.0, sum_base(), 0.0), direction, 0.0, terrain.far, how);
 #else
-    let how = land_Adaptive(0.05, haste * LAND_GROWTH, LAND_RELAX, most, LAND_HALVINGS, pixel_angle);
+    let how = land_Adaptive(0.05, haste * LAND_GROWTH, haste * LAND_RELAX, most, LAND_HALVINGS, pixel_angle);
     return land_march(origin, direction, terrain_ceiling(), terrain.far, how);
 #endif
 }
