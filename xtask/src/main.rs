@@ -39,8 +39,9 @@ usage: cargo xtask <demo|test|judge|accuracy|gallery [NAME…]> [--no-install]
   --no-install   install nothing: say what is missing and how to get it, and stop
 
 Without --no-install a chore installs what it needs and the machine lacks, through the system's package
-manager, and says so: Mesa's software Vulkan driver (lavapipe), glslang, SPIRV-Tools, Node.js. Tint comes
-from npm into tests/judges/node_modules.
+manager, and says so: Mesa's software Vulkan driver (lavapipe) and GL, glslang, SPIRV-Tools, Chromium (CHROMIUM
+names another browser of its kind), Node.js. Tint and what drives the browser (playwright-core) come from npm into
+tests/judges/node_modules.
 
 Exit status: 0 all is well; 1 something failed, and the last lines say what; 2 wrong usage
 ";
