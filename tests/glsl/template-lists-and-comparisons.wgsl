@@ -1,7 +1,7 @@
 // `<` and `>` as operators and as brackets in one line.
 
 fn f(a: i32, b: i32) -> i32 {
-    let c = array<i32, (4 > 3)>(a)[0];
+    let c = array<i32, (4 >> 2u)>(a)[0];
     return c;
 }
 
