@@ -24,7 +24,7 @@ fn main_fragment(@builtin(position) at: vec4f) -> @location(0) vec4f {
     let d = vec3(1, 2.5, 3);
     let e: u32 = 7;
     let f = array<f32, 2>(1, 2);
-    let g = mix(0, 10, x / 64) + smoothstep(0, 1, 2);
+    let g = mix(0, 10, x / 64) + smoothstep(0, 1, x);
     let h = select(1, 2.5, x > 4);
     b += 1;
     b = b * SIX;

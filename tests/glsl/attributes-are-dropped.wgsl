@@ -9,7 +9,6 @@ fn f(x: f32) -> f32 {
 
 @diagnostic(off, derivative_uniformity)
 fn g(x: f32) -> f32 {
-    @diagnostic(off, derivative_uniformity)
     if x > 3.0 {
         return f(x);
     }

@@ -7,7 +7,7 @@ const NORTH = normalize(vec2f(0.0, 5.0));
 const BITS = countOneBits(0xFFu) + (1u << 5u);
 const WORD = (0xABCDu >> 4u) & 0xFFu;
 const HALF = abs(-7.5) / 3.0;
-const MIXED = mix(vec3f(0.0), vec3f(2.0, 4.0, 8.0), 0.25).zyx;
+const MIXED = (0.25 * vec3f(2.0, 4.0, 8.0) + 1).zyx;
 const PART = MIXED.x + vec4f(1.0, 2.0, 3.0, 4.0)[2];
 const FLAGS = !(ROOT == 4.0) || any(vec2<bool>(false, true));
 
