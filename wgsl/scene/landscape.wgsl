@@ -5,6 +5,7 @@
 #include <frame.wgsl>
 #include <geometry/ray.wgsl>
 #include <noise/interleaved_gradient.wgsl>
+#include <quality.wgsl>
 #include <scene/weather.wgsl>
 #include <sky/sky.wgsl>
 #include <terrain/height.wgsl>
@@ -36,6 +37,11 @@ const LANDSCAPE_RAYS: i32 = 2; // the second from the water on
 #else
 const LANDSCAPE_RAYS: i32 = 1;
 #endif
+#if quality == low
+const LANDSCAPE_WOODED: i32 = 1; // rays that see single trees; the others see the woods' colour on the ground
+#else
+const LANDSCAPE_WOODED: i32 = 2;
+#endif
 
 /// What is seen from `origin` (m) in the unit `direction`.
 fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
@@ -60,7 +66,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #endif
 
     for (var bounce = 0; bounce < LANDSCAPE_RAYS; bounce++) {
-        let land = terrain_trace(start, toward);
+        let land = terrain_trace_in(start, toward, select(1.0, LAND_MIRRORED, bounce > 0));
         var way = land.distance;
         var wet = false; // whether the ray meets water first
         var leafy = false; // whether it meets a tree first
@@ -84,7 +90,8 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         }
 #endif
 #if landscape.trees
-        let tree = trees_trace(start, toward, 0.0, way);
+        // Where the mirrored ray is to see no trees, it looks for them nowhere.
+        let tree = trees_trace(start, toward, 0.0, select(way, 0.0, bounce >= LANDSCAPE_WOODED));
         if tree.hit {
             leafy = true;
             wet = false;
@@ -128,7 +135,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
                 sun_seen *= terrain_shadow(shadowed, select(normal, vec3f(0.0, 1.0, 0.0), wet), footprint, day);
             }
 #if landscape.trees
-            if sun_seen > 0.0 {
+            if sun_seen > 0.0 && bounce < LANDSCAPE_WOODED {
                 sun_seen *= trees_shadow(shadowed, footprint, day);
             }
             if leafy {

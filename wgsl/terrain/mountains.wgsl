@@ -6,6 +6,7 @@
 #include <fractal/fbm.wgsl> as relief with noise2 = terrain_noise
 #include <fractal/jets.wgsl> as smooth with noise2 = terrain_noise_jet
 #include <math/jet.wgsl>
+#include <quality.wgsl>
 #include <terrain/basis.wgsl>
 #include <terrain/height.wgsl>
 #if terrain.relief == ridged
@@ -67,6 +68,13 @@ const WIDE_PLACE: vec2f = vec2f(3.7, 9.2);
 const WIDE_SEED: u32 = 101u;
 const WIDE_GAIN: f32 = 0.4;
 const WIDE_LACUNARITY: f32 = 2.0;
+
+// Generations of gullies.
+#if quality == low
+const GULLIES: f32 = 3.0;
+#else
+const GULLIES: f32 = 5.0;
+#endif
 
 /// Forms of the relief at `q` (in widths of the largest ones): (0 .. about 1, slope per width).
 fn mountains_forms(q: vec2f, octaves: f32) -> vec3f {
@@ -185,7 +193,7 @@ fn mountains_wide(p: vec2f) -> Jet2 {
 #if terrain.eroded
 /// What water has done to the land `lie` at `p`: (change in m, slope).
 fn mountains_erosion(p: vec2f, lie: Jet2, octaves: f32) -> vec3f {
-    let generations = min(5.0, octaves - log2(terrain.scale / terrain.gully_width) + 1.0);
+    let generations = min(GULLIES, octaves - log2(terrain.scale / terrain.gully_width) + 1.0);
     let how = Erosion(
         terrain.gully_width,
         0.5 * terrain.gully_depth,

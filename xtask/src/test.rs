@@ -30,7 +30,9 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
         install::driver(install)?;
         install::judges(install)
     })?;
-    let driver = install::driver_for_tests();
+    let mut driver: Vec<_> = install::driver_for_tests().into_iter().collect();
+    driver.extend(install::browser().map(|browser| ("CHROMIUM", browser)));
+    let driver = driver; // and the browser that the feature matrix is drawn with
     steps.step("tests", || {
         if capture(&mut cargo("nextest --version")).is_ok() {
             return run(cargo("nextest run --workspace --no-fail-fast").envs(driver.clone()));
