@@ -15,7 +15,7 @@ use crate::source::Library;
 ///     .with_prefix("og_")?                                        // collides with nothing
 ///     .with_bake(orogen::Bake::live(["sky.*"]).at_binding(2, 0))  // the parameters' buffer is yours to place
 ///     .compose()?;
-/// assert!(air.wgsl().contains("fn og_atmosphere_radiance"));
+/// assert!(air.wgsl().contains("fn og_atmosphere_transmittance"));
 /// assert!(air.wgsl().contains("@group(2) @binding(0) var<uniform> og_orogen"));
 /// # Ok::<(), orogen::Error>(())
 /// ```

@@ -7,10 +7,11 @@
 
 use std::path::Path;
 
+use orogen::build::Bindings;
 use orogen::check::Panicked;
 use orogen::export::{ExportError, Stage, Target, export_entry};
 use orogen::render::RenderError;
-use orogen::{Bake, Compose, Error, Library, Preset, Templates};
+use orogen::{Bake, Compose, Error, Library, Prefix, Preset, Templates};
 
 /// Holds the text of `error` against the file of that name.
 fn expect(name: &str, error: impl Into<Error>) {
@@ -52,6 +53,23 @@ fn what_a_target_lacks_is_told_at_its_place() {
     expect("naga-cannot-write-it", refused(&storage, Target::Glsl, None));
     expect("no-such-target", "glls".parse::<Target>().expect_err("there is none"));
     expect("no-such-stage", Target::Glsl.stage(Some(Stage::Compute)).expect_err("there is none"));
+}
+
+#[test]
+fn what_modules_and_bindings_cannot_be_is_told() {
+    let prefixed = {
+        let mut composer = Compose::default();
+        composer.prefix = Prefix::new("og_").expect("names can start so");
+        composer.stage = Stage::MainImage;
+        let preset =
+            Preset::of_text("scene.wgsl", "fn main_image(p: vec2f) -> vec4f {\n    return vec4f(1.0);\n}\n");
+        composer.run(&Library::standard(), &preset, &Bake::constants()).expect("it is valid")
+    };
+    let export = export_entry(&prefixed, Target::Shadertoy, None, &Templates::standard());
+    expect("no-prefix-there", export.expect_err("the target calls by name"));
+    let bindings = Bindings::new(Preset::of_text("scene.wgsl", "fn f() {}\n"));
+    let written = bindings.write_to("no/such/folder", "scene").err().expect("there is no such folder");
+    expect("bindings-cannot-be-written", written);
 }
 
 #[test]

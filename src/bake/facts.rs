@@ -32,7 +32,12 @@ impl Facts {
             name: clean(&composition.name),
             about: clean(&composition.about),
             version: env!("CARGO_PKG_VERSION"),
-            options: composition.options.iter().map(option).collect(),
+            options: composition
+                .options
+                .iter()
+                .filter(|option| option.read || option.decides)
+                .map(option)
+                .collect(),
             licences: licences(composition),
         }
     }

@@ -87,6 +87,14 @@ pub enum ComposeError {
         /// The path of the library that was probably meant.
         nearest: Option<String>,
     },
+    /// `OR0309`
+    #[error("the module cannot be read: {error}")]
+    Module {
+        /// What the library said.
+        error: SourceError,
+        /// The path of the library that was probably meant.
+        nearest: Option<String>,
+    },
     /// `OR0303`
     #[error("includes are nested deeper than {limit}")]
     TooDeep {
@@ -378,6 +386,13 @@ impl From<ComposeError> for Diagnostic {
                 // On the command line a module stands in angle brackets, in a preset it does not.
                 let module = nearest.map(|path| if at.is_some() { path } else { format!("<{path}>") });
                 d.help(did_you_mean(module))
+            }
+            E::Module { error, nearest } => {
+                let mut d = Diagnostic::error("OR0309", message.clone());
+                if let SourceError::NotFound { tried, .. } = error {
+                    d = d.notes(tried.iter().map(|place| format!("looked for {place}")));
+                }
+                d.help(did_you_mean(nearest).or_else(|| Some("`orogen list modules` names them all".into())))
             }
             E::TooDeep { at, .. } => d("OR0303", at, "one level too many")
                 .help(Some("does a fragment include itself `as` something?".into())),

@@ -31,10 +31,11 @@ use std::sync::Arc;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::diagnostic::{Diagnostic, ENOUGH, Error};
-use crate::preset::{self, Declarations, Preset, Scene, Settings};
+use crate::preset::{self, Declarations, Knob, Preset, Scene, Settings};
 use crate::source::{self, FileId, Files, Library, Source, SourceError};
 use crate::syntax::{
-    DeclarationKind, DirectiveKind, Key, Module, OptionDecl, OptionValue, ParamDecl, Slot, Value,
+    DeclarationKind, DirectiveKind, Key, Module, OptionDecl, OptionValue, ParamDecl, Slot, Term,
+    Value,
 };
 use decide::{Known, decide};
 use graph::Graph;
@@ -62,6 +63,8 @@ pub struct Choice {
     pub value: OptionValue,
     /// Whether the code that is in reads it.
     pub read: bool,
+    /// Whether a condition asks for it, in a fragment of which something is in.
+    pub decides: bool,
     /// Where it is declared.
     pub at: At,
 }
@@ -329,6 +332,7 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         drop(names);
         return Err(fail(errors, survey.files));
     }
+    let deciding = deciding(&survey, result.iter().map(|part| part.instance));
     let parameters = survey.declarations.parameters.iter().enumerate().map(|(index, declared)| Parameter {
         decl: declared.decl.clone(),
         value: survey.settings.parameters[index],
@@ -339,6 +343,7 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         decl: declared.decl.clone(),
         value: survey.settings.options[index],
         read: kept.options[index],
+        decides: deciding.contains(&index),
         at: (declared.file, declared.span),
     });
     let (parameters, options): (Vec<_>, Vec<_>) = (parameters.collect(), options.collect());
@@ -422,7 +427,7 @@ fn root(library: &Library, preset: &Preset) -> Result<Source, ComposeError> {
 fn module_source(library: &Library, path: &str) -> Result<Source, ComposeError> {
     library.find(path).map_err(|error| {
         let nearest = graph::nearest_path(&error, library);
-        ComposeError::Scene { error, at: None, nearest }
+        ComposeError::Module { error, nearest }
     })
 }
 
@@ -457,18 +462,45 @@ fn needs_wrapper(graph: &Graph, modules: &[Option<Arc<Module>>], wrapper: usize)
 
 type Activity = (Vec<Vec<bool>>, Vec<Vec<bool>>);
 
+/// The options that conditions of these instances, and of the roots, ask for.
+fn deciding(survey: &Survey, instances: impl Iterator<Item = usize>) -> FxHashSet<usize> {
+    let mut found = FxHashSet::default();
+    let roots = survey.graph.roots.iter().copied();
+    for instance in instances.chain(roots) {
+        let known = known(survey, instance);
+        for placed in &survey.graph.fragment(instance).directives {
+            if let DirectiveKind::If(expr) | DirectiveKind::Elif(expr) = &placed.directive.kind {
+                let names = expr.terms.iter().filter_map(|term| match &term.value {
+                    Term::Name(name) => known.find(name),
+                    _ => None,
+                });
+                found.extend(names.filter_map(|knob| match knob {
+                    Knob::Option(index) => Some(index),
+                    Knob::Parameter(_) => None,
+                }));
+            }
+        }
+    }
+    found
+}
+
+/// What a condition in `instance` can ask for.
+fn known(survey: &Survey, instance: usize) -> Known<'_> {
+    let instance = &survey.graph.instances[instance];
+    Known {
+        declarations: &survey.declarations,
+        settings: &survey.settings,
+        prefix: &instance.prefix,
+        renamed: instance.renamed.as_ref().map(|(from, to)| (from.as_str(), &**to)),
+    }
+}
+
 /// By instance: which directives are in, and the truth of each condition.
 fn activity(survey: &Survey, errors: &mut Vec<ComposeError>) -> Activity {
     let graph = &survey.graph;
     let mut all = (Vec::new(), Vec::new());
-    for (index, instance) in graph.instances.iter().enumerate() {
-        let renamed = instance.renamed.as_ref();
-        let known = Known {
-            declarations: &survey.declarations,
-            settings: &survey.settings,
-            prefix: &instance.prefix,
-            renamed: renamed.map(|(from, to)| (from.as_str(), &**to)),
-        };
+    for index in 0..graph.instances.len() {
+        let known = known(survey, index);
         let fragment = graph.fragment(index);
         let mut truth = Vec::with_capacity(fragment.conditions);
         for placed in &fragment.directives {
