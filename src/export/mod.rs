@@ -8,11 +8,13 @@ mod es300;
 mod glsl;
 mod header;
 mod json;
+mod minify;
 mod names;
 mod source_map;
 mod target;
 
 pub use error::ExportError;
+pub use minify::{Minified, minify};
 pub use source_map::source_map;
 pub use target::{Stage, Target};
 

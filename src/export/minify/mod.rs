@@ -1,0 +1,134 @@
+//! The same shader in fewer bytes: [`Shader`] → [`Minified`] → WGSL, GLSL ES 3.00 or Shadertoy.
+//!
+//! Comments and blank space go, names get short scope by scope, numbers lose the digits that say nothing. Declarations stay
+//! in their order, so that naga reads the same module from the result, but for names.
+//!
+//! What a host knows by name keeps it: entry points, overrides, variables that are bound and the fields of what is in
+//! them, and live parameters that are variables. A module without an entry point is there for its names: it keeps all of
+//! module scope and its members, and only locals change.
+
+mod number;
+mod scopes;
+mod short;
+mod squeeze;
+mod write;
+
+use rustc_hash::FxHashSet;
+use serde::Serialize;
+
+use super::error::ExportError;
+use super::target::Target;
+use super::export_entry;
+use crate::bake::{Baked, Facts, Segment, SourceMap, Storage};
+use crate::diagnostic::Error;
+use crate::shader::Shader;
+use crate::source::{Span, Templates};
+use crate::syntax::lex;
+use crate::template;
+
+/// A shader whose text is minified.
+pub struct Minified {
+    shader: Shader,
+    header: String,
+}
+
+#[derive(Serialize)]
+struct Context<'a> {
+    #[serde(flatten)]
+    facts: &'a Facts,
+    /// The licence that most files are under.
+    main_licence: &'a str,
+}
+
+/// Writes `shader` in fewer bytes, and checks the result as it was checked itself.
+///
+/// # Errors
+/// Where the template of the licence line cannot be rendered.
+pub fn minify(shader: &Shader, templates: &Templates) -> Result<Minified, Error> {
+    let baked = &shader.checked().baked;
+    let facts = Facts::of(&baked.composition);
+    let context = Context { facts: &facts, main_licence: facts.main_licence() };
+    let rendered = template::render(templates, "minified.jinja", context)?;
+    // A backslash at the end would join the next line to the comment, where there is a preprocessor.
+    let lines = rendered.trim().lines().map(|line| line.trim_end().trim_end_matches('\\'));
+    let header = lines.collect::<Vec<_>>().join("\n");
+    let (text, map) = text(baked, &header);
+    let smaller = Baked {
+        text,
+        map,
+        interface: baked.interface.clone(),
+        storage: baked.storage.clone(),
+        composition: baked.composition.clone(),
+    };
+    let shader = shader.with(smaller).map_err(|error| {
+        let why = error.diagnostics().first().map_or_else(String::new, |first| first.message.clone());
+        Error::from(ExportError::Minifier { why })
+    })?;
+    Ok(Minified { shader, header })
+}
+
+impl Minified {
+    /// The shader: its WGSL, its interface, which is what it was, and a map that leads to the authors' files.
+    pub fn shader(&self) -> &Shader {
+        &self.shader
+    }
+
+    /// The file for `target`, with the fragment entry point that GLSL or Shadertoy is to get, or the first.
+    ///
+    /// # Errors
+    /// As [`export_entry`], and for targets that are not text which others compile.
+    pub fn export(
+        &self,
+        target: Target,
+        entry_point: Option<&str>,
+        templates: &Templates,
+    ) -> Result<Vec<u8>, Error> {
+        if !target.is_minified() {
+            return Err(ExportError::NotMinified { target }.into());
+        }
+        let bytes = export_entry(&self.shader, target, entry_point, templates)?;
+        if target == Target::Wgsl {
+            return Ok(bytes);
+        }
+        let text = String::from_utf8_lossy(&bytes); // it is text: nothing is lost
+        Ok(squeeze::squeeze(&text, &self.header).into_bytes())
+    }
+}
+
+fn text(baked: &Baked, header: &str) -> (String, SourceMap) {
+    let variables = baked.composition.parameters.iter().zip(&baked.storage);
+    let variables = variables.filter(|(_, storage)| **storage == Storage::Variable);
+    let variables: FxHashSet<String> = variables.map(|(parameter, _)| parameter.decl.key.flat()).collect();
+
+    let mut out = String::with_capacity(baked.text.len() / 2);
+    out.push_str(header);
+    out.push('\n');
+    let placed = squeezed(&baked.text, &|name| variables.contains(name), &mut out);
+    out.push('\n');
+
+    let mut map = SourceMap::default();
+    let mut segments = baked.map.segments().iter().peekable();
+    for token in placed {
+        while segments.next_if(|segment| segment.out.end <= token.from.start).is_some() {}
+        let Some(segment) = segments.peek().filter(|segment| segment.out.start <= token.from.start) else { continue };
+        let from = if segment.copied {
+            let by = token.from.start - segment.out.start;
+            let start = segment.from.start + by;
+            Span { start, end: (start + token.from.len() as u32).min(segment.from.end) }
+        } else {
+            segment.from
+        };
+        let copied = segment.copied && token.copied && from.len() == token.out.len();
+        map.push(Segment { out: token.out, from, copied, ..**segment });
+    }
+    (out, map)
+}
+
+/// Appends the module in `text`, minified. `is_kept` says which names stay, beside those that the text itself shows to the
+/// host.
+fn squeezed(text: &str, is_kept: &dyn Fn(&str) -> bool, out: &mut String) -> Vec<write::Placed> {
+    let tokens = scopes::solid(&lex(text));
+    let scopes = scopes::resolve(text, &tokens);
+    let short = short::names(&scopes, is_kept);
+    write::write(text, &tokens, &scopes, &short, out)
+}
