@@ -34,7 +34,10 @@ fn nameless(shader: &Shader, keep: naga::compact::KeepUnused) -> String {
     module.doc_comments = None;
     let types: Vec<_> = module.types.iter().map(|(handle, ty)| (handle, ty.clone())).collect();
     for (index, (handle, mut ty)) in types.into_iter().enumerate() {
-        ty.name = ty.name.map(|_| format!("type{index}"));
+        if ty.name.is_none() {
+            continue;
+        }
+        ty.name = Some(format!("type{index}"));
         if let naga::TypeInner::Struct { members, .. } = &mut ty.inner {
             members.iter_mut().for_each(|member| member.name = None);
         }
