@@ -14,7 +14,7 @@ mod source_map;
 mod target;
 
 pub use error::ExportError;
-pub use minify::{Minified, minify};
+pub use minify::{Minified, minify, minify_text};
 pub use source_map::source_map;
 pub use target::{Stage, Target};
 

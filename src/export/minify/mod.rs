@@ -17,8 +17,8 @@ use rustc_hash::FxHashSet;
 use serde::Serialize;
 
 use super::error::ExportError;
-use super::target::Target;
 use super::export_entry;
+use super::target::Target;
 use crate::bake::{Baked, Facts, Segment, SourceMap, Storage};
 use crate::diagnostic::Error;
 use crate::shader::Shader;
@@ -67,6 +67,14 @@ pub fn minify(shader: &Shader, templates: &Templates) -> Result<Minified, Error>
     Ok(Minified { shader, header })
 }
 
+/// `wgsl` in fewer bytes, where it is a text of the host's own: a whole module that a compiler accepts. No licence line is
+/// put in. What is no WGSL comes back as something that is none either.
+pub fn minify_text(wgsl: &str) -> String {
+    let mut out = String::with_capacity(wgsl.len() / 2);
+    squeezed(wgsl, &|_| false, &mut out);
+    out
+}
+
 impl Minified {
     /// The shader: its WGSL, its interface, which is what it was, and a map that leads to the authors' files.
     pub fn shader(&self) -> &Shader {
@@ -110,7 +118,9 @@ fn text(baked: &Baked, header: &str) -> (String, SourceMap) {
     let mut segments = baked.map.segments().iter().peekable();
     for token in placed {
         while segments.next_if(|segment| segment.out.end <= token.from.start).is_some() {}
-        let Some(segment) = segments.peek().filter(|segment| segment.out.start <= token.from.start) else { continue };
+        let Some(segment) = segments.peek().filter(|segment| segment.out.start <= token.from.start) else {
+            continue;
+        };
         let from = if segment.copied {
             let by = token.from.start - segment.out.start;
             let start = segment.from.start + by;

@@ -60,7 +60,9 @@ fn float(text: &str, suffix: &str) -> Option<String> {
             let (whole, fraction) = digits.split_at((len + exponent) as usize);
             Some(format!("{whole}.{fraction}"))
         }
-        _ if exponent < 0 && -exponent - len <= MOST_ZEROS => Some(format!(".{}{digits}", zeros(exponent + len))),
+        _ if exponent < 0 && -exponent - len <= MOST_ZEROS => {
+            Some(format!(".{}{digits}", zeros(exponent + len)))
+        }
         _ => None,
     };
     let short = format!("{digits}e{exponent}");
@@ -104,7 +106,10 @@ mod tests {
         for (long, short) in all {
             assert_eq!(wgsl(long), short, "{long}");
         }
-        assert_eq!(["1.0", "1.0f", "0.5F", "7", "0x1fu", "1e-10"].map(glsl), ["1.", "1.", ".5", "7", "0x1fu", "1e-10"]);
+        assert_eq!(
+            ["1.0", "1.0f", "0.5F", "7", "0x1fu", "1e-10"].map(glsl),
+            ["1.", "1.", ".5", "7", "0x1fu", "1e-10"]
+        );
     }
 
     proptest! {

@@ -280,7 +280,9 @@ impl<'a> Walk<'a, '_> {
                     self.at += 1;
                     return members;
                 }
-                Some(TokenKind::At) => { self.attribute(); },
+                Some(TokenKind::At) => {
+                    self.attribute();
+                }
                 Some(TokenKind::Ident) if self.kind(self.at + 1) == Some(TokenKind::Colon) => {
                     let name = self.word(self.at);
                     let next = self.scopes.members.len() as u32;

@@ -204,8 +204,7 @@ fn members(scopes: &Scopes<'_>, is_kept: &dyn Fn(&str) -> bool) -> Vec<Option<St
             || is_swizzle(member.name)
             || OF_RESULTS.contains(&member.name)
     };
-    let kept: FxHashSet<&str> =
-        scopes.members.iter().filter(|one| stays(one)).map(|one| one.name).collect();
+    let kept: FxHashSet<&str> = scopes.members.iter().filter(|one| stays(one)).map(|one| one.name).collect();
     let is_taken = |name: &str| kept.contains(name) || is_swizzle(name) || OF_RESULTS.contains(&name);
     let mut spellings = Spellings::new(&is_taken);
     let mut order: Vec<usize> =

@@ -50,8 +50,8 @@ enum Kind {
 
 /// Operators of several characters; of those that start alike, the longest first.
 const OPERATORS: [&str; 21] = [
-    "<<=", ">>=", "++", "--", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "&&", "||", "^^", "==", "!=", "<=",
-    ">=", "<<", ">>",
+    "<<=", ">>=", "++", "--", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "&&", "||", "^^", "==", "!=",
+    "<=", ">=", "<<", ">>",
 ];
 
 #[derive(Clone, Copy, PartialEq)]
@@ -102,7 +102,9 @@ impl<'a> Iterator for Pieces<'a> {
                 (None, rest[2..].find("*/").map_or(rest.len(), |at| at + 4))
             } else if first == '#' && self.line_start {
                 (Some(Kind::Directive), line(rest))
-            } else if first.is_ascii_digit() || first == '.' && rest[1..].starts_with(|c: char| c.is_ascii_digit()) {
+            } else if first.is_ascii_digit()
+                || first == '.' && rest[1..].starts_with(|c: char| c.is_ascii_digit())
+            {
                 (Some(Kind::Number), number_len(rest))
             } else if is_word(first) {
                 (Some(Kind::Word), rest.find(|c| !is_word(c)).unwrap_or(rest.len()))
@@ -169,7 +171,8 @@ mod tests {
 
     #[test]
     fn lines_of_the_preprocessor_stay_lines_and_the_header_goes_below_the_version() {
-        let text = "#version 300 es\n// gone\nprecision highp float;\n  #define A(x) \\\n  x // note\nint a; # \n";
+        let text =
+            "#version 300 es\n// gone\nprecision highp float;\n  #define A(x) \\\n  x // note\nint a; # \n";
         let short = "#version 300 es\n// kept\nprecision highp float;\n#define A(x) \\\n  x\nint a;#\n";
         assert_eq!(squeeze(text, "// kept"), short);
         assert_eq!(squeeze("int  a;", "// kept"), "// kept\nint a;\n");

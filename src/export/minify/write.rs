@@ -73,7 +73,10 @@ fn needs_space((left_kind, left): (TokenKind, &str), (right_kind, right): (Token
         // `- -b`, `& &b`, `a / *b`, `vec2<f32> = b`.
         (K::TemplateClose, K::TemplateClose) => false,
         (left, right) if is_operator(left) && is_operator(right) => {
-            first == last || matches!(first, '=' | '>') || (last == '/' && first == '*') || is_word(last) && is_word(first)
+            first == last
+                || matches!(first, '=' | '>')
+                || (last == '/' && first == '*')
+                || is_word(last) && is_word(first)
         }
         _ => is_word(last) && is_word(first),
     }
