@@ -142,3 +142,101 @@ fn squeezed(text: &str, is_kept: &dyn Fn(&str) -> bool, out: &mut String) -> Vec
     let short = short::names(&scopes, is_kept);
     write::write(text, &tokens, &scopes, &short, out)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::minify_text;
+
+    /// With an entry point behind it that calls `f`, where there is an `f`: a module without one keeps its names.
+    fn short(text: &str) -> String {
+        const ENTRY: &str = "@compute@workgroup_size(1)fn main(){}";
+        let short = minify_text(&format!("{text} {ENTRY}"));
+        short.strip_suffix(ENTRY).unwrap_or(&short).to_owned()
+    }
+
+    #[test]
+    fn each_scope_gets_its_own_short_names() {
+        let all = [
+            (
+                "fn f(first: f32, second: f32) -> f32 { return first * first + second; }",
+                "fn a(a:f32,b:f32)->f32{return a*a+b;}",
+            ),
+            // Two functions use the same names again; the one that is called has to differ inside of the other.
+            (
+                "fn inner(value: f32) -> f32 { return value; } fn outer(value: f32) -> f32 { return inner(value) + value; }",
+                "fn b(a:f32)->f32{return a;}fn a(a:f32)->f32{return b(a)+a;}",
+            ),
+            // Shadowed: the initialiser still means what is outside.
+            (
+                "fn f(x: f32) { var y = x; { let x = y + x; y = x; } y = x; }",
+                "fn a(a:f32){var b=a;{let c=b+a;b=c;}b=a;}",
+            ),
+            // Scopes beside each other share names; a loop's variable ends with its body.
+            (
+                "fn f() { for (var i = 0; i < 3; i++) { let k = i; _ = k; } for (var j = 0; j < 3; j++) { _ = j; } let i = 1; _ = i; }",
+                "fn a(){for(var a=0;a<3;a++){let b=a;_=b;}for(var a=0;a<3;a++){_=a;}let a=1;_=a;}",
+            ),
+            // Of a struct: names of components stay, behind every dot.
+            (
+                "struct S { value: f32, x: f32, rest: vec2f, } fn f(s: S) -> f32 { return s.value + s.x + s.rest.x; }",
+                "struct b{c:f32,x:f32,d:vec2f}fn a(a:b)->f32{return a.c+a.x+a.d.x;}",
+            ),
+            // What WGSL owns is no name of ours, unless the module declares it.
+            ("fn mix(a: f32) -> f32 { return max(a, 1.0); }", "fn a(a:f32)->f32{return max(a,1.);}"),
+            (
+                "var<private> state: vec2<f32> = vec2<f32>(); fn f() { state.x = .5; }",
+                "var<private>a:vec2<f32> =vec2<f32>();fn b(){a.x=.5;}",
+            ),
+        ];
+        for (long, expected) in all {
+            assert_eq!(short(long), expected, "{long}");
+        }
+    }
+
+    #[test]
+    fn what_the_host_knows_by_name_keeps_it() {
+        let all = [
+            "override gain:f32=1.;",
+            "struct a{gain:f32,inner:b}struct b{deep:vec4f}@group(0)@binding(0)var<uniform>params:a;",
+            "@group(0)@binding(1)var image:texture_storage_2d<rgba8unorm,write>;",
+            "@id(7)override scale:f32;",
+        ];
+        for kept in all {
+            assert_eq!(short(kept), kept);
+        }
+        // Nothing but locals, where nothing is an entry point.
+        assert_eq!(
+            minify_text(
+                "const HALF = 0.50; struct S { size: f32 } fn area(s: S) -> f32 { let side = s.size; return side * side * HALF; }"
+            ),
+            "const HALF=.5;struct S{size:f32}fn area(b:S)->f32{let a=b.size;return a*a*HALF;}"
+        );
+    }
+
+    #[test]
+    fn what_says_nothing_goes_and_what_would_be_read_otherwise_keeps_its_space() {
+        let all = [
+            ("fn f(a: f32, b: f32,) -> f32 { return a - -b; }", "fn a(a:f32,b:f32)->f32{return a- -b;}"),
+            (
+                "fn f(p: ptr<function, f32>) -> f32 { return 2.0 / *p; } /* done */",
+                "fn a(a:ptr<function,f32>)->f32{return 2./ *a;}",
+            ),
+            ("fn f() { ; { } ; for (;;) { break; } ; }", "fn a(){{}for(;;){break;}}"),
+            (
+                "struct S { a: f32, }; /* gone /* twice */ */ const_assert 1 < 2;",
+                "struct a{a:f32}const_assert 1<2;",
+            ),
+            (
+                "fn f(a: bool, b: bool) -> bool { return a && !b; }",
+                "fn a(a:bool,b:bool)->bool{return a&&!b;}",
+            ),
+            (
+                "enable f16; diagnostic(off, derivative_uniformity); alias half = f16;",
+                "enable f16;diagnostic(off,derivative_uniformity);alias a=f16;",
+            ),
+        ];
+        for (long, expected) in all {
+            assert_eq!(short(long), expected, "{long}");
+        }
+    }
+}

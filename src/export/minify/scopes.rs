@@ -33,8 +33,8 @@ pub(super) struct Global<'a> {
     pub(super) functions: Vec<u32>,
     is_entry: bool,
     is_bound: bool,
-    /// Only these have types inside whose fields the host may see.
-    is_type: bool,
+    /// A struct or an alias.
+    pub(super) is_type: bool,
     /// What its declaration names, in [`Walk::candidates`].
     names: std::ops::Range<usize>,
     /// Of a struct.

@@ -2,7 +2,7 @@
 //!
 //! The more often a name is written, the earlier it chooses, and it takes the shortest that is free where it is visible: a
 //! local variable must differ from what is visible beside it and from every global that its function names, and from
-//! nothing else.
+//! nothing else. Types are an exception: no local is called like one, since in GLSL `let s = f();` names the type of `s`.
 
 use std::ops::Range;
 use std::sync::LazyLock;
@@ -121,12 +121,14 @@ impl Function {
     }
 
     /// The first number for a local that is visible in `range`.
-    fn choose(&mut self, range: Range<u32>) -> usize {
+    fn choose(&mut self, range: Range<u32>, of_types: &Bits) -> usize {
         let are_many = self.locals > MANY;
         let overlaps = |other: &Range<u32>| other.start < range.end && range.start < other.end;
         let is_taken = |number: usize| {
             let others = self.ranges.get(number).map_or(&[][..], Vec::as_slice);
-            self.of_globals.has(number) || others.iter().any(|other| are_many || overlaps(other))
+            self.of_globals.has(number)
+                || of_types.has(number)
+                || others.iter().any(|other| are_many || overlaps(other))
         };
         let number = (self.floor..).find(|number| !is_taken(*number)).unwrap_or_default();
         if are_many {
@@ -169,7 +171,7 @@ fn variables(
 
     let mut new_globals = vec![None; scopes.globals.len()];
     let mut new_locals = vec![None; scopes.locals.len()];
-    let mut of_globals = Bits::default();
+    let (mut of_globals, mut of_types, mut of_locals) = (Bits::default(), Bits::default(), Bits::default());
     let mut functions: Vec<Function> = (0..scopes.functions).map(|_| Function::default()).collect();
     scopes.locals.iter().for_each(|local| functions[local.function as usize].locals += 1);
     for (_, chooser) in choosers {
@@ -178,16 +180,22 @@ fn variables(
                 let global = &scopes.globals[index];
                 let is_free = |number: &usize| {
                     let mut all = global.functions.iter();
-                    !of_globals.has(*number) && all.all(|one| functions[*one as usize].is_free(*number))
+                    !of_globals.has(*number)
+                        && !(global.is_type && of_locals.has(*number))
+                        && all.all(|one| functions[*one as usize].is_free(*number))
                 };
                 let number = (of_globals.first_missing()..).find(is_free).unwrap_or_default();
                 of_globals.insert(number);
+                if global.is_type {
+                    of_types.insert(number);
+                }
                 global.functions.iter().for_each(|one| functions[*one as usize].of_globals.insert(number));
                 new_globals[index] = Some(spellings.get(number));
             }
             Chooser::Local(index) => {
                 let local = &scopes.locals[index];
-                let number = functions[local.function as usize].choose(local.range.clone());
+                let number = functions[local.function as usize].choose(local.range.clone(), &of_types);
+                of_locals.insert(number);
                 new_locals[index] = Some(spellings.get(number));
             }
         }

@@ -70,13 +70,12 @@ fn needs_space((left_kind, left): (TokenKind, &str), (right_kind, right): (Token
         (K::Number, _) => is_word(first) || first == '.',
         // `return .5`: fine for every compiler there is, but not for every highlighter.
         (_, K::Number) if first == '.' => is_word(last) || last == '.',
-        // `- -b`, `& &b`, `a / *b`, `vec2<f32> = b`.
         (K::TemplateClose, K::TemplateClose) => false,
-        (left, right) if is_operator(left) && is_operator(right) => {
-            first == last
-                || matches!(first, '=' | '>')
-                || (last == '/' && first == '*')
-                || is_word(last) && is_word(first)
+        // `vec2<f32> = b`
+        (K::TemplateClose, right) if is_operator(right) => matches!(first, '=' | '>'),
+        // `- -b`, `& &b`, `a / *b`
+        (left, right) if is_operator(left) && is_operator(right) && last != '_' => {
+            first == last || matches!(first, '=' | '>') || (last == '/' && first == '*')
         }
         _ => is_word(last) && is_word(first),
     }
