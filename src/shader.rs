@@ -91,6 +91,11 @@ pub struct Shader {
 }
 
 impl Shader {
+    /// The same shader in another text.
+    pub(crate) fn with(&self, baked: bake::Baked) -> Result<Self, Error> {
+        Ok(Self { checked: check::check(baked)?, declarations: self.declarations.clone() })
+    }
+
     /// Its text.
     pub fn wgsl(&self) -> &str {
         &self.checked.baked.text

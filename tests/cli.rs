@@ -60,6 +60,21 @@ fn help_teaches_every_command() {
 }
 
 #[test]
+fn minify_writes_less_and_its_map_beside_it() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (long, short) = (at("long.wgsl"), at("short.wgsl"));
+    assert_eq!(status(&orogen(&["export", "dunes", "-o", &long])), 0);
+    assert_eq!(status(&orogen(&["export", "dunes", "--minify", "--source-map", "-o", &short])), 0);
+    let size = |path: &str| fs::metadata(path).expect("it was written").len();
+    assert!(size(&short) * 3 < size(&long));
+    assert!(size(&(short.clone() + ".map")) > 1000);
+    assert_eq!(status(&orogen(&["check", &short])), 0, "what was written is a shader");
+    let glsl = orogen(&["export", "dunes", "--minify", "--target", "glsl"]);
+    assert!(out(&glsl).starts_with("#version 300 es\n// dunes: "), "{}", out(&glsl));
+}
+
+#[test]
 fn what_makes_no_sense_exits_with_2() {
     for arguments in [
         &[] as &[&str],
@@ -67,6 +82,8 @@ fn what_makes_no_sense_exits_with_2() {
         &["export"],
         &["export", "alpine", "--target", "pdf"],
         &["export", "alpine", "--source-map"],
+        &["export", "alpine", "--minify", "--target", "spirv"],
+        &["export", "alpine", "--minify", "--target", "json"],
         &["export", "alpine", "--target", "glsl", "--stage", "compute"],
         &["render", "alpine", "--size", "0x5"],
         &["render", "alpine", "--size", "banana"],

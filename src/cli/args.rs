@@ -114,6 +114,10 @@ pub(super) struct Export {
     pub(super) stage: Option<Stage>,
     #[command(flatten)]
     pub(super) baking: Baking,
+    /// Write it in fewer bytes: short names, no comments, no blank space, one line with the licences (wgsl, glsl and
+    /// shadertoy). Entry points, overrides, bindings and live parameters keep their names
+    #[arg(long)]
+    pub(super) minify: bool,
     /// Write a Source Map (v3) beside the file, as FILE.map (wgsl only)
     #[arg(long)]
     pub(super) source_map: bool,

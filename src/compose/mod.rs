@@ -89,6 +89,7 @@ pub struct OpenSlot {
 }
 
 /// Everything that the result is made of.
+#[derive(Clone)]
 pub struct Composition {
     /// The preset's name.
     pub name: String,
@@ -106,7 +107,7 @@ pub struct Composition {
     pub hoisted: Vec<Hoisted>,
     /// The parts, each after those that it includes.
     pub parts: Vec<Part>,
-    graph: Graph,
+    graph: Arc<Graph>,
 }
 
 impl Composition {
@@ -338,7 +339,7 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         slots,
         hoisted,
         parts: result,
-        graph: survey.graph,
+        graph: Arc::new(survey.graph),
     })
 }
 

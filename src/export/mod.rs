@@ -7,12 +7,14 @@ mod error;
 mod glsl;
 mod header;
 mod json;
+mod minify;
 mod source_map;
 mod target;
 mod typed;
 
 pub use error::ExportError;
 pub use glsl::Glsl;
+pub use minify::{Minified, minify, minify_text};
 pub use source_map::source_map;
 pub use target::{Stage, Target};
 
