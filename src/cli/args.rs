@@ -33,6 +33,8 @@ Examples:
   orogen render alpine --view steps -o steps.png       a debug view: `orogen list views` names them
   orogen params alpine                                 what can be set, and to what
   orogen export alpine --live 'sun.*' --target json    where a host finds the live parameters
+  orogen export '<sky/atmosphere.wgsl>' --prefix og_   a module to paste into a shader of yours
+  orogen export alpine --module terrain/height.wgsl    the same, with the preset's values
 
 A PRESET is a built-in name (alpine), the path of a .json file, the path of a .wgsl file, or a module of the library in
 angle brackets ('<noise/perlin.wgsl>').
@@ -118,6 +120,25 @@ pub(super) struct Export {
     /// shadertoy). Entry points, overrides, bindings and live parameters keep their names
     #[arg(long)]
     pub(super) minify: bool,
+    /// A fragment of the library in the place of the preset's picture, on its own, with the preset's values:
+    /// terrain/height.wgsl
+    #[arg(long, value_name = "PATH", conflicts_with = "view")]
+    pub(super) module: Option<String>,
+    /// Of a fragment, only these functions, types and constants, and what they reach
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub(super) only: Vec<String>,
+    /// What every name of module scope is to start with, so that it collides with nothing: og_
+    #[arg(long, value_name = "PREFIX", default_value = "")]
+    pub(super) prefix: String,
+    /// Bind group and binding of the buffer of live parameters
+    #[arg(long, value_name = "GROUP,BINDING", default_value = "0,0", value_parser = binding)]
+    pub(super) binding: (u32, u32),
+    /// What vectors are in Rust
+    #[arg(long, value_enum, default_value = "arrays")]
+    pub(super) types: Types,
+    /// Leave the layouts of bind groups out of Rust, for a host without wgpu
+    #[arg(long)]
+    pub(super) no_layouts: bool,
     /// Write a Source Map (v3) beside the file, as FILE.map (wgsl only)
     #[arg(long)]
     pub(super) source_map: bool,
@@ -145,6 +166,16 @@ pub(super) enum Target {
     Msl,
     /// The interface: entry points, bindings, uniform layout, overrides, parameters
     Json,
+    /// Rust: live parameters as structs, names of overrides, layouts of bind groups, and the WGSL
+    Rust,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Types {
+    /// [f32; 3]
+    Arrays,
+    /// glam::Vec3
+    Glam,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -305,6 +336,13 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         Some(size) => Ok(size),
         None => Err("write WIDTHxHEIGHT, as in 960x540".into()),
     }
+}
+
+fn binding(text: &str) -> Result<(u32, u32), String> {
+    let parts = text.split_once(',');
+    let parts =
+        parts.and_then(|(group, binding)| Some((group.trim().parse().ok()?, binding.trim().parse().ok()?)));
+    parts.ok_or_else(|| "write GROUP,BINDING, as in 2,0".into())
 }
 
 fn glob(text: &str) -> Result<String, String> {

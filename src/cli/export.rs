@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 use std::path::Path;
 
-use orogen::{Shader, export};
+use orogen::{Prefix, Shader, export};
 
 use super::args::{self, Common, Export};
 use super::failure::{Failure, Outcome};
@@ -18,6 +18,7 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
         args::Target::Hlsl => export::Target::Hlsl,
         args::Target::Msl => export::Target::Msl,
         args::Target::Json => export::Target::Json,
+        args::Target::Rust => export::Target::Rust,
     };
     let stage = args.stage.map(|stage| match stage {
         args::Stage::Fragment => export::Stage::Fragment,
@@ -43,11 +44,24 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     composer.stage =
         target.stage(stage).map_err(|error| Failure::Usage(error.diagnostics()[0].message.clone()))?;
     composer.keep_unused = args.keep_unused;
+    composer.module = args.module.as_deref().map(input::module).transpose()?.map(str::to_owned);
+    composer.only.clone_from(&args.only);
+    composer.prefix = Prefix::new(&args.prefix)?;
     composer.view.clone_from(&args.viewing.view);
-    let shader = composer.run(&library, &preset, &target.bake(input::bake(&args.baking)))?;
+    let (group, binding) = args.binding;
+    let bake = input::bake(&args.baking).at_binding(group, binding);
+    let shader = composer.run(&library, &preset, &target.bake(bake))?;
     let minified = if args.minify { Some(export::minify(&shader, &composer.templates)?) } else { None };
     let bytes = match &minified {
         Some(minified) => minified.export(target, None, &composer.templates)?,
+        None if target == export::Target::Rust => {
+            let types = match args.types {
+                args::Types::Arrays => export::Types::Arrays,
+                args::Types::Glam => export::Types::Glam,
+            };
+            let style = export::RustStyle { types, layouts: !args.no_layouts, ..export::RustStyle::default() };
+            export::bindings(&shader, &style, &composer.templates)?.into_bytes()
+        }
         None => export::export(&shader, target, &composer.templates)?,
     };
     let shader = minified.as_ref().map_or(&shader, export::Minified::shader);
@@ -65,7 +79,7 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
 }
 
 fn has_overrides(target: export::Target) -> bool {
-    matches!(target, export::Target::Wgsl | export::Target::Json)
+    matches!(target, export::Target::Wgsl | export::Target::Json | export::Target::Rust)
 }
 
 /// The file and its map, or neither.

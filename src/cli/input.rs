@@ -45,10 +45,10 @@ pub(super) fn preset(name: &str, common: &Common) -> Result<Preset, Failure> {
     Ok(preset)
 }
 
-/// `<noise/perlin.wgsl>` → `noise/perlin.wgsl`
-fn module(name: &str) -> Result<&str, Failure> {
-    let inside = name.strip_prefix('<').and_then(|rest| rest.strip_suffix('>'));
-    inside.ok_or_else(|| {
+/// `<noise/perlin.wgsl>` → `noise/perlin.wgsl`. Where only a module can stand, the brackets may be left out.
+pub(super) fn module(name: &str) -> Result<&str, Failure> {
+    let Some(rest) = name.strip_prefix('<') else { return Ok(name) };
+    rest.strip_suffix('>').ok_or_else(|| {
         Failure::Usage(format!("`{name}` has no `>` at its end: write '<noise/perlin.wgsl>', in quotes"))
     })
 }

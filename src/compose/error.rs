@@ -282,6 +282,34 @@ pub enum ComposeError {
         /// Where its name stands.
         at: At,
     },
+    /// `OR0415`
+    #[error("no name of WGSL can start with `{prefix}`")]
+    Prefix {
+        /// What was asked for.
+        prefix: String,
+    },
+    /// `OR0416`
+    #[error("with the prefix `{prefix}`, `{name}` becomes `{becomes}`, which WGSL keeps for itself")]
+    PrefixTaken {
+        /// What was asked for.
+        prefix: String,
+        /// The name in the fragment.
+        name: String,
+        /// The name in the result.
+        becomes: String,
+        /// Where it is declared.
+        at: At,
+    },
+    /// `OR0417`
+    #[error("the module declares no `{name}`")]
+    NotDeclared {
+        /// What was asked for.
+        name: String,
+        /// The name that was probably meant.
+        nearest: Option<String>,
+        /// What it declares.
+        known: String,
+    },
     /// `OR0413`
     #[error("`{name}` is the name of Orogen's uniform buffer")]
     Reserved {
@@ -402,6 +430,13 @@ impl From<ComposeError> for Diagnostic {
             E::DiagnosticConflict { at, first, .. } => also(d("OR0412", at, "set here"), first, "and here"),
             E::MainImage { at, .. } => d("OR0414", at, "not what calls it expects")
                 .help(Some("write `fn main_image(frag_coord: vec2f) -> vec4f`".into())),
+            E::Prefix { .. } => Diagnostic::error("OR0415", message)
+                .help(Some("start it with a letter, and go on with letters, digits and `_`: `og_`".into())),
+            E::PrefixTaken { at, .. } => {
+                d("OR0416", at, "declared here").help(Some("choose a longer prefix: `og_`".into()))
+            }
+            E::NotDeclared { nearest, known, .. } => Diagnostic::error("OR0417", message)
+                .help(did_you_mean(nearest).or_else(|| Some(format!("choose {known}")))),
             E::Reserved { at, .. } => d("OR0413", at, "reserved").help(Some("give it another name".into())),
         }
     }

@@ -16,6 +16,7 @@ mod emit;
 mod error;
 mod graph;
 mod names;
+mod prefix;
 mod shake;
 
 pub use cache::Cache;
@@ -23,6 +24,7 @@ pub use catalogue::{Catalogue, catalogue, views};
 pub use emit::{Hoisted, Piece};
 pub use error::{At, ComposeError};
 pub use names::UNIFORM;
+pub use prefix::Prefix;
 
 use std::sync::Arc;
 
@@ -32,7 +34,7 @@ use crate::diagnostic::{Diagnostic, ENOUGH, Error};
 use crate::preset::{self, Declarations, Preset, Scene, Settings};
 use crate::source::{self, FileId, Files, Library, Source, SourceError};
 use crate::syntax::{
-    DeclarationKind, DirectiveKind, Module, OptionDecl, OptionValue, ParamDecl, Slot, Value,
+    DeclarationKind, DirectiveKind, Key, Module, OptionDecl, OptionValue, ParamDecl, Slot, Value,
 };
 use decide::{Known, decide};
 use graph::Graph;
@@ -107,6 +109,8 @@ pub struct Composition {
     pub hoisted: Vec<Hoisted>,
     /// The parts, each after those that it includes.
     pub parts: Vec<Part>,
+    /// What every name of module scope starts with in the result.
+    pub prefix: Prefix,
     graph: Arc<Graph>,
 }
 
@@ -114,6 +118,11 @@ impl Composition {
     /// How an instance was reached, innermost include first: notes for a diagnostic.
     pub fn chain(&self, instance: usize) -> Vec<String> {
         self.graph.chain(instance, &self.files)
+    }
+
+    /// The name that a parameter or an option has in the result: `sun_elevation`, or with a prefix `og_sun_elevation`.
+    pub fn flat(&self, key: &Key) -> String {
+        self.prefix.before(&key.flat())
     }
 }
 
@@ -124,6 +133,12 @@ pub struct Request<'a> {
     /// The debug view that is composed in the scene's place. The preset is held against the scene's declarations and the
     /// view's.
     pub view: Option<String>,
+    /// The fragment of the library that is composed in the scene's place, on its own.
+    pub module: Option<String>,
+    /// Of the root's declarations, those that are wanted, with what they reach; all where none is named.
+    pub only: Vec<String>,
+    /// What every name of module scope is to start with.
+    pub prefix: Prefix,
     /// The entry point of a scene that has `main_image` and no entry point of its own.
     pub wrapper: Option<Source>,
     /// A fragment that is put in beside the scene.
@@ -162,9 +177,14 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         Err(error) => return Err(fail([error], files)),
     };
     let scene_name = scene.name.clone();
-    let (root, aside) = match request.view.as_ref().map(|view| catalogue::view(library, view)) {
+    let in_place = match (&request.view, &request.module) {
+        (Some(view), _) => Some(catalogue::view(library, view)),
+        (None, Some(module)) => Some(module_source(library, module)),
+        (None, None) => None,
+    };
+    let (root, aside) = match in_place {
         None => (scene, None),
-        Some(Ok(view)) => (view, Some(scene)),
+        Some(Ok(source)) => (source, Some(scene)),
         Some(Err(error)) => return Err(fail([error], files)),
     };
     let root = graph.add_root(root, library, cache, &mut files, &mut errors);
@@ -196,10 +216,11 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
     };
     let preset = request.preset.name();
     let mut survey = Survey {
-        name: request
-            .view
-            .as_ref()
-            .map_or_else(|| preset.to_owned(), |view| format!("{preset} (view {view})")),
+        name: match (&request.view, &request.module) {
+            (Some(view), _) => format!("{preset} (view {view})"),
+            (None, Some(module)) => format!("{module} of {preset}"),
+            (None, None) => preset.to_owned(),
+        },
         scene: scene_name,
         files: files.into(),
         declarations,
@@ -268,13 +289,14 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
             directives: &active[instance],
         })
     });
-    let names = Names::new(graph, &survey.declarations, in_names.collect(), &order, &mut errors);
+    let prefix = &request.prefix;
+    let names = Names::new(graph, &survey.declarations, prefix, in_names.collect(), &order, &mut errors);
     if survey.wrapper.is_some()
         && let Some((at, Some(found))) = names.main_image()
     {
         errors.push(ComposeError::MainImage { found, at });
     }
-    let kept = shake::shake(&names, request.keep_unused, &mut errors);
+    let kept = shake::shake(&names, request.keep_unused, &request.only, &mut errors);
     let parts = |hoist: bool, errors: &mut Vec<ComposeError>| {
         let in_order = order.iter().filter_map(|instance| names.active[*instance].as_ref());
         let parts = in_order.filter_map(|active| {
@@ -339,6 +361,7 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         slots,
         hoisted,
         parts: result,
+        prefix: request.prefix.clone(),
         graph: Arc::new(survey.graph),
     })
 }
@@ -394,6 +417,14 @@ fn root(library: &Library, preset: &Preset) -> Result<Source, ComposeError> {
             library.find(path).map_err(|error| fail(error, at))
         }
     }
+}
+
+/// The text of a module that stands on its own.
+fn module_source(library: &Library, path: &str) -> Result<Source, ComposeError> {
+    library.find(path).map_err(|error| {
+        let nearest = graph::nearest_path(&error, library);
+        ComposeError::Scene { error, at: None, nearest }
+    })
 }
 
 /// The declarations of every instance that is in.

@@ -78,6 +78,12 @@ pub enum ExportError {
         /// What went wrong.
         why: String,
     },
+    /// `OR0814`
+    #[error("the target `{target}` takes no prefix")]
+    Prefix {
+        /// The target.
+        target: Target,
+    },
     /// `OR0811`
     #[error("naga panicked while writing `{target}`")]
     Panic {
@@ -110,7 +116,7 @@ impl From<ExportError> for Error {
 impl ExportError {
     /// Told at the author's place, where there is one.
     pub(super) fn told(self, shader: &Shader) -> Error {
-        let baked = &shader.checked().baked;
+        let baked = shader.baked();
         let (span, label) = match &self {
             Self::NotInEs300 { span, .. } => (*span, "used here"),
             Self::Unwrappable { span, .. } => (*span, "this entry point"),
@@ -166,6 +172,8 @@ impl ExportError {
             E::Writer { why, .. } => d("OR0810")
                 .note(format!("naga says: {why}"))
                 .help(Some("the target lacks what the shader uses: leave that out, or export another target".into())),
+            E::Prefix { .. } => d("OR0814")
+                .help(Some("a file for Shadertoy is all that its shader has: nothing collides with it".into())),
             E::Fault { why, .. } => d("OR0812").note(why.clone()).help(Some(
                 "this is a fault of Orogen; a smaller shader that shows it is worth a report".into(),
             )),

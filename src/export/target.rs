@@ -1,9 +1,11 @@
 //! What can be written, and how each wants the shader composed: name → [`Target`] → [`Stage`], [`Bake`].
 
-use std::fmt;
-use std::str::FromStr;
+#[cfg(feature = "check")]
+use std::{fmt, str::FromStr};
 
+#[cfg(feature = "check")]
 use super::error::ExportError;
+#[cfg(feature = "check")]
 use crate::bake::Bake;
 
 /// The stage of the entry point that a scene gets.
@@ -19,6 +21,7 @@ pub enum Stage {
 }
 
 /// A kind of file.
+#[cfg(feature = "check")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Target {
     /// The composed WGSL itself.
@@ -36,14 +39,17 @@ pub enum Target {
     Msl,
     /// What a host needs to know of the shader.
     Json,
+    /// Rust for the shader's host: its parameters as structs, with the WGSL in it.
+    Rust,
 }
 
+#[cfg(feature = "check")]
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Wgsl, Self::Shadertoy, Self::Glsl, Self::Spirv, Self::Hlsl, Self::Msl, Self::Json];
+    pub const ALL: [Self; 8] =
+        [Self::Wgsl, Self::Shadertoy, Self::Glsl, Self::Spirv, Self::Hlsl, Self::Msl, Self::Json, Self::Rust];
 
-    /// Its name: `wgsl`, `shadertoy`, `glsl`, `spirv`, `hlsl`, `msl`, `json`.
+    /// Its name: `wgsl`, `shadertoy`, `glsl`, `spirv`, `hlsl`, `msl`, `json`, `rust`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Wgsl => "wgsl",
@@ -53,6 +59,7 @@ impl Target {
             Self::Hlsl => "hlsl",
             Self::Msl => "msl",
             Self::Json => "json",
+            Self::Rust => "rust",
         }
     }
 
@@ -66,6 +73,7 @@ impl Target {
             Self::Hlsl => "hlsl",
             Self::Msl => "metal",
             Self::Json => "json",
+            Self::Rust => "rs",
         }
     }
 
@@ -102,12 +110,14 @@ impl Target {
     }
 }
 
+#[cfg(feature = "check")]
 impl fmt::Display for Target {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
+#[cfg(feature = "check")]
 impl FromStr for Target {
     type Err = crate::Error;
 

@@ -1,5 +1,6 @@
 //! The texts that one run has read, by number, so that a span can say which text it is in.
 
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 use super::Span;
@@ -51,6 +52,15 @@ impl Files {
     /// The text numbered `id`.
     pub fn get(&self, id: FileId) -> &File {
         &self.files[id.0 as usize]
+    }
+
+    /// The texts that are files on disk. The library's fragments have names like paths, too: only a file of the same text was
+    /// read.
+    pub(crate) fn on_disk(&self) -> Vec<PathBuf> {
+        let was_read = |file: &&File| {
+            super::read_text(Path::new(&*file.name), &file.name).is_ok_and(|text| text == file.text)
+        };
+        self.files.iter().filter(was_read).map(|file| PathBuf::from(&*file.name)).collect()
     }
 
     /// Every text, in the order they were read.

@@ -291,7 +291,7 @@ fn wrappable(module: &Module, name: &str) -> Result<(), ExportError> {
 /// Shadertoy has no buffers, and textures only by its own names.
 fn unbound(shader: &Shader, entry: usize) -> Result<(), ExportError> {
     let checked = shader.checked();
-    let ours = shader.interface().uniform.as_ref().map(|uniform| uniform.name);
+    let ours = shader.interface().uniform.as_ref().map(|uniform| uniform.name.as_str());
     let info = checked.info.get_entry_point(entry);
     let module = &checked.module;
     let mut bound = module
