@@ -24,10 +24,14 @@ mod shader;
 pub mod source;
 pub mod syntax;
 mod template;
+#[cfg(feature = "watch")]
+pub mod watch;
 
 pub use bake::{Bake, Interface};
 pub use diagnostic::{Diagnostic, Error};
 pub use preset::Preset;
+#[cfg(feature = "render")]
+pub use render::sample;
 pub use shader::{Compose, Shader, compose};
 pub use source::{Library, Templates};
 

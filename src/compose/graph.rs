@@ -194,7 +194,7 @@ impl Graph {
             return *known;
         }
         let fragment = cache.fragment(&source);
-        let file = files.add(source.name.clone(), source.text.clone());
+        let file = files.add_read(source.name.clone(), source.text.clone(), source.on_disk.clone());
         errors.extend(fragment.errors.iter().map(|error| ComposeError::Directive(file, error.clone())));
         let index = self.loaded.len();
         self.by_identity.insert(source.identity.clone(), index);
