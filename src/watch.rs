@@ -12,14 +12,13 @@
 //! let recipe = Recipe::file(library, orogen::Bake::live(["sun.*"]), "world.json");
 //! std::thread::spawn(move || {
 //!     let mut watch = Watch::new(recipe)?;
-//!     loop {
-//!         match watch.next(Duration::from_secs(3600)) {
-//!             Some(Ok(made)) => println!("{} bytes of WGSL, {:?} after the save", made.shader.wgsl().len(), made.took),
-//!             Some(Err(error)) => eprintln!("{error}"), // and the host goes on with what it has
-//!             None => {}
+//!     while let Some(news) = watch.next(Duration::MAX) {
+//!         match news {
+//!             Ok(made) => println!("{} bytes of WGSL, {:?} after the save", made.shader.wgsl().len(), made.took),
+//!             Err(error) => eprintln!("{error}"), // and the host goes on with what it has
 //!         }
 //!     }
-//!     # #[allow(unreachable_code)] Ok::<(), orogen::Error>(())
+//!     Ok::<(), orogen::Error>(())
 //! });
 //! # Ok::<(), String>(())
 //! ```

@@ -64,8 +64,7 @@ fn watch(
     recipe.compose = composer;
     recipe.files.extend(file);
     let mut watch = Watch::new(recipe)?;
-    loop {
-        let Some(news) = watch.next(A_LONG_TIME) else { continue };
+    while let Some(news) = watch.next(Duration::MAX) {
         let drawn = news.map_err(Failure::from).and_then(|made| {
             check_faces(args, &made.shader)?;
             let start = Instant::now();
@@ -89,10 +88,8 @@ fn watch(
             Err(other) => return Err(other),
         }
     }
+    Ok(())
 }
-
-/// How long a wait for a save is, before the next one.
-const A_LONG_TIME: Duration = Duration::from_secs(3600);
 
 /// Where to write, of a preset called `name`.
 fn path(args: &Render, name: &str) -> PathBuf {

@@ -49,6 +49,8 @@ pub(super) struct Graph {
     pub(super) instances: Vec<Instance>,
     /// The instances that are in for their own sake.
     pub(super) roots: Vec<usize>,
+    /// The one root whose entry points count, where the others' do not.
+    pub(super) only_from: Option<usize>,
     /// From which instance on they are there for their declarations only, and the scene that they are there for.
     aside: Option<(usize, usize)>,
     by_identity: FxHashMap<Arc<str>, usize>,

@@ -1,6 +1,7 @@
 //! The engine's camera: reversed depth without a far plane, and places relative to the eye.
 
-use glam::{DMat4, DVec3, Mat4, Vec2, Vec3};
+use glam::dcamera::rh::{proj, view};
+use glam::{DVec3, Mat4, Vec2, Vec3};
 
 /// Where the picture is taken from.
 #[derive(Debug, Clone, Copy)]
@@ -36,8 +37,8 @@ impl Camera {
     pub fn clip_from_eye(&self, aspect: f32) -> (Mat4, Mat4) {
         let half_height = 18.0 / f64::from(self.focal_length) / f64::from(aspect);
         let projection =
-            DMat4::perspective_infinite_reverse_rh(2.0 * half_height.atan(), f64::from(aspect), NEAR);
-        let clip = projection * DMat4::look_to_rh(DVec3::ZERO, self.forward().as_dvec3(), DVec3::Y);
+            proj::directx::perspective_infinite_reverse(2.0 * half_height.atan(), f64::from(aspect), NEAR);
+        let clip = projection * view::look_to_mat4(DVec3::ZERO, self.forward().as_dvec3(), DVec3::Y);
         (clip.as_mat4(), clip.inverse().as_mat4())
     }
 

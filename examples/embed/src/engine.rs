@@ -1,12 +1,14 @@
 //! The engine: a frame of shadow map, meshes, land and display, over one depth buffer.
 
 use bytemuck::{Pod, Zeroable, bytes_of, cast_slice};
-use glam::{Mat4, Vec2, Vec3};
+use glam::camera::rh::proj::directx::orthographic;
+use glam::camera::rh::view::look_to_mat4;
+use glam::{Mat4, Quat, Vec2, Vec3};
 use orogen::render::Gpu;
 
 use crate::camera::Camera;
 use crate::landscape::Landscape;
-use crate::pipelines::{LIGHT, DEPTH, Layouts, Pipelines, THING};
+use crate::pipelines::{DEPTH, LIGHT, Layouts, Pipelines, THING};
 use crate::tower::{self, Vertex};
 
 /// A thing in the world: the engine's mesh, somewhere.
@@ -75,6 +77,8 @@ pub struct Engine {
     shadow_group: wgpu::BindGroup,
     pub things: [Thing; THINGS],
     to_sun: Vec3,
+    /// The sun's, clockwise from north (degrees), once it was turned.
+    azimuth: Option<f32>,
 }
 
 type Fallible<T> = Result<T, Box<dyn std::error::Error>>;
@@ -119,8 +123,22 @@ impl Engine {
         let corners = tower.len() as u32;
         let things = [Thing { foot: Vec3::ZERO, heading: 0.0, scale: 1.0 }; THINGS];
         let mut engine = Self {
-            device, queue, gpu, landscape, layouts, pipelines, mesh, corners, view, shadow, view_group, land_group,
-            shadow_group, things, to_sun: Vec3::Y,
+            device,
+            queue,
+            gpu,
+            landscape,
+            layouts,
+            pipelines,
+            mesh,
+            corners,
+            view,
+            shadow,
+            view_group,
+            land_group,
+            shadow_group,
+            things,
+            to_sun: Vec3::Y,
+            azimuth: None,
         };
         engine.ask_for_sun()?;
         Ok(engine)
@@ -134,11 +152,18 @@ impl Engine {
         self.ask_for_sun()
     }
 
+    /// Moves the sun so far around the horizon (degrees).
+    pub fn turn_sun(&mut self, by: f32) {
+        self.to_sun = Quat::from_rotation_y(-by.to_radians()) * self.to_sun;
+        self.azimuth = Some(self.to_sun.x.atan2(-self.to_sun.z).to_degrees());
+    }
+
     fn ask_for_sun(&mut self) -> Fallible<()> {
         let [to_sun] = self.landscape.ask(&self.gpu, "key_direction()", [], &[[]])?[..] else {
             return Err("there is one sun".into());
         };
         self.to_sun = Vec3::from_array(to_sun);
+        self.azimuth = None;
         Ok(())
     }
 
@@ -185,7 +210,9 @@ impl Engine {
     /// Draws a frame into `targets`, and brings it onto `display`.
     pub fn draw(&self, camera: &Camera, targets: &Targets, display: &wgpu::TextureView) -> Fallible<()> {
         self.queue.write_buffer(&self.view, 0, bytes_of(&self.view(camera, targets.size)));
-        self.landscape.set_lens(&self.queue, targets.size, camera.focal_length)?;
+        let mut live = vec![("camera.focal_length", camera.focal_length)];
+        live.extend(self.azimuth.map(|azimuth| ("sun.azimuth", azimuth)));
+        self.landscape.write(&self.queue, targets.size, &live)?;
         let mut commands = self.device.create_command_encoder(&Default::default());
         self.draw_shadows(&mut commands);
         self.draw_world(&mut commands, targets);
@@ -220,8 +247,8 @@ impl Engine {
 
     /// The things and then the land: whoever is nearer stays, whichever comes first.
     fn draw_world(&self, commands: &mut wgpu::CommandEncoder, targets: &Targets) {
-        let [light, thing, deep] =
-            [&targets.light, &targets.thing, &targets.depth].map(|texture| texture.create_view(&Default::default()));
+        let [light, thing, deep] = [&targets.light, &targets.thing, &targets.depth]
+            .map(|texture| texture.create_view(&Default::default()));
         let mut pass = commands.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("world"),
             color_attachments: &[Some(color(&light)), Some(color(&thing))],
@@ -230,7 +257,8 @@ impl Engine {
             occlusion_query_set: None,
             multiview_mask: None,
         });
-        for (index, group) in [&self.view_group, &self.land_group, &self.shadow_group].into_iter().enumerate() {
+        for (index, group) in [&self.view_group, &self.land_group, &self.shadow_group].into_iter().enumerate()
+        {
             pass.set_bind_group(index as u32, group, &[]);
         }
         pass.set_pipeline(&self.pipelines.things);
@@ -240,7 +268,12 @@ impl Engine {
         pass.draw(0..3, 0..1);
     }
 
-    fn draw_display(&self, commands: &mut wgpu::CommandEncoder, targets: &Targets, display: &wgpu::TextureView) {
+    fn draw_display(
+        &self,
+        commands: &mut wgpu::CommandEncoder,
+        targets: &Targets,
+        display: &wgpu::TextureView,
+    ) {
         let mut pass = commands.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("display"),
             color_attachments: &[Some(color(display))],
@@ -261,12 +294,20 @@ impl Engine {
             let radius = 9.0 * thing.scale;
             let middle = Vec3::Y * 0.5 * tower::HEIGHT * thing.scale;
             let up = if self.to_sun.y.abs() > 0.99 { Vec3::X } else { Vec3::Y };
-            let from_sun = Mat4::look_to_rh(middle + radius * self.to_sun, -self.to_sun, up);
-            let sun = Mat4::orthographic_rh(-radius, radius, -radius, radius, 0.0, 2.0 * radius) * from_sun;
+            let from_sun = look_to_mat4(middle + radius * self.to_sun, -self.to_sun, up);
+            let sun = orthographic(-radius, radius, -radius, radius, 0.0, 2.0 * radius) * from_sun;
             let turn = Vec2::new(thing.heading.cos(), thing.heading.sin());
             ThingUniform { foot: thing.foot, scale: thing.scale, turn, _pad: [0.0; 2], sun }
         });
-        ViewUniform { clip_from_eye, eye_from_clip, eye: camera.eye, _pad: 0.0, size, _pad2: [0.0; 2], things }
+        ViewUniform {
+            clip_from_eye,
+            eye_from_clip,
+            eye: camera.eye,
+            _pad: 0.0,
+            size,
+            _pad2: [0.0; 2],
+            things,
+        }
     }
 }
 
@@ -278,7 +319,8 @@ impl Targets {
 }
 
 fn color(view: &wgpu::TextureView) -> wgpu::RenderPassColorAttachment<'_> {
-    let ops = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
+    let ops =
+        wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store };
     wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops }
 }
 

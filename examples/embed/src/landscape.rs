@@ -34,10 +34,10 @@ impl Landscape {
         Self { module, params, shader, preset }
     }
 
-    /// Tells the land how large the picture is, and how long the lens: how small a detail can be seen.
-    pub fn set_lens(&self, queue: &wgpu::Queue, size: [u32; 2], focal_length: f32) -> Result<(), Error> {
+    /// Tells the land how large the picture is (how small a detail can be seen), and what its live parameters are now.
+    pub fn write(&self, queue: &wgpu::Queue, size: [u32; 2], live: &[(&str, f32)]) -> Result<(), Error> {
         let mut preset = self.preset.clone();
-        preset.set(&format!("camera.focal_length={focal_length}"))?;
+        live.iter().try_for_each(|(name, value)| preset.set(&format!("{name}={value}")))?;
         let mut bytes = self.shader.uniform_bytes(&preset)?;
         if let Some(uniform) = &self.shader.interface().uniform {
             set_frame(&mut bytes, uniform, &Shot::new(size[0], size[1]), [0.0, 0.0]);
@@ -48,7 +48,11 @@ impl Landscape {
 
     /// Where the ground is, and which way the sun: for what stands on the one and throws shadows in the other.
     pub fn ask<const N: usize, const M: usize>(
-        &self, gpu: &Gpu, what: &str, columns: [&str; N], at: &[[f32; N]],
+        &self,
+        gpu: &Gpu,
+        what: &str,
+        columns: [&str; N],
+        at: &[[f32; N]],
     ) -> Result<Vec<[f32; M]>, Box<dyn std::error::Error>> {
         Ok(Sampler::new(gpu, &library()?, &self.preset, what, &columns)?.run(at)?)
     }

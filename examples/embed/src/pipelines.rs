@@ -5,14 +5,14 @@ use wgpu::{BindingType, CompareFunction, ShaderStages};
 use crate::tower::Vertex;
 
 /// Light, before the display.
-pub const LIGHT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+pub(crate) const LIGHT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
 /// Whose a pixel is: 0 the land's, else 1 + the thing's number.
-pub const THING: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
+pub(crate) const THING: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 /// Reversed: 1 near, 0 far.
-pub const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+pub(crate) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
 /// What is bound where, and the one pipeline that has nothing to do with the world.
-pub struct Layouts {
+pub(crate) struct Layouts {
     /// Group 0.
     pub view: wgpu::BindGroupLayout,
     /// Group 1: Orogen's.
@@ -25,14 +25,14 @@ pub struct Layouts {
 }
 
 /// The pipelines of the world, which are made anew when its shaders are.
-pub struct Pipelines {
+pub(crate) struct Pipelines {
     pub shadow: wgpu::RenderPipeline,
     pub things: wgpu::RenderPipeline,
     pub land: wgpu::RenderPipeline,
 }
 
 impl Layouts {
-    pub fn new(device: &wgpu::Device, display_format: wgpu::TextureFormat) -> Self {
+    pub(crate) fn new(device: &wgpu::Device, display_format: wgpu::TextureFormat) -> Self {
         let layout = |label, types: &[BindingType]| {
             let entries: Vec<_> = (0..)
                 .zip(types)
@@ -43,14 +43,21 @@ impl Layouts {
                     count: None,
                 })
                 .collect();
-            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+            device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+                label: Some(label),
+                entries: &entries,
+            })
         };
         let uniform = BindingType::Buffer {
             ty: wgpu::BufferBindingType::Uniform,
             has_dynamic_offset: false,
             min_binding_size: None,
         };
-        let texture = |sample_type, view_dimension| BindingType::Texture { sample_type, view_dimension, multisampled: false };
+        let texture = |sample_type, view_dimension| BindingType::Texture {
+            sample_type,
+            view_dimension,
+            multisampled: false,
+        };
         let shadow = [
             texture(wgpu::TextureSampleType::Depth, wgpu::TextureViewDimension::D2Array),
             BindingType::Sampler(wgpu::SamplerBindingType::Comparison),
@@ -61,16 +68,19 @@ impl Layouts {
             label: Some("display"),
             source: wgpu::ShaderSource::Wgsl(include_str!("../wgsl/display.wgsl").into()),
         });
-        let display_pipeline = pipeline(device, &Draw {
-            label: "display",
-            module: &module,
-            vertex: "display_vertex",
-            fragment: Some("display_fragment"),
-            groups: &[&display],
-            targets: &[display_format],
-            depth: None,
-            has_mesh: false,
-        });
+        let display_pipeline = pipeline(
+            device,
+            &Draw {
+                label: "display",
+                module: &module,
+                vertex: "display_vertex",
+                fragment: Some("display_fragment"),
+                groups: &[&display],
+                targets: &[display_format],
+                depth: None,
+                has_mesh: false,
+            },
+        );
         let compare = device.create_sampler(&wgpu::SamplerDescriptor {
             mag_filter: wgpu::FilterMode::Linear,
             min_filter: wgpu::FilterMode::Linear,
@@ -87,7 +97,7 @@ impl Layouts {
         }
     }
 
-    pub fn bind_buffer(
+    pub(crate) fn bind_buffer(
         &self,
         device: &wgpu::Device,
         layout: &wgpu::BindGroupLayout,
@@ -96,7 +106,7 @@ impl Layouts {
         bind(device, layout, &[buffer.as_entire_binding()])
     }
 
-    pub fn bind_shadow(&self, device: &wgpu::Device, map: &wgpu::Texture) -> wgpu::BindGroup {
+    pub(crate) fn bind_shadow(&self, device: &wgpu::Device, map: &wgpu::Texture) -> wgpu::BindGroup {
         let view = map.create_view(&wgpu::TextureViewDescriptor {
             dimension: Some(wgpu::TextureViewDimension::D2Array),
             ..Default::default()
@@ -106,7 +116,7 @@ impl Layouts {
         bind(device, &self.shadow, &resources)
     }
 
-    pub fn bind_display(
+    pub(crate) fn bind_display(
         &self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
@@ -122,12 +132,16 @@ impl Layouts {
         });
         queue.write_buffer(&settings, 0, bytemuck::cast_slice(&[exposure.to_bits(), samples]));
         let view = light.create_view(&Default::default());
-        bind(device, &self.display, &[wgpu::BindingResource::TextureView(&view), settings.as_entire_binding()])
+        bind(
+            device,
+            &self.display,
+            &[wgpu::BindingResource::TextureView(&view), settings.as_entire_binding()],
+        )
     }
 }
 
 impl Pipelines {
-    pub fn new(device: &wgpu::Device, layouts: &Layouts, module: &wgpu::ShaderModule) -> Self {
+    pub(crate) fn new(device: &wgpu::Device, layouts: &Layouts, module: &wgpu::ShaderModule) -> Self {
         let all = [&layouts.view, &layouts.land, &layouts.shadow];
         let world = Draw {
             label: "things",

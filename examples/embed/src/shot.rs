@@ -24,7 +24,13 @@ pub struct Frame {
 }
 
 /// Draws a frame of `size`, with `samples`² of light to each pixel.
-pub fn frame(engine: &Engine, camera: &Camera, size: [u32; 2], samples: u32, exposure: f32) -> Fallible<Frame> {
+pub fn frame(
+    engine: &Engine,
+    camera: &Camera,
+    size: [u32; 2],
+    samples: u32,
+    exposure: f32,
+) -> Fallible<Frame> {
     let targets: Targets = engine.targets(size, samples, exposure);
     let [width, height] = size;
     let display = engine.device.create_texture(&wgpu::TextureDescriptor {
@@ -42,14 +48,21 @@ pub fn frame(engine: &Engine, camera: &Camera, size: [u32; 2], samples: u32, exp
     Ok(Frame {
         size,
         display: read(engine, &display)?,
-        things: read(engine, &targets.thing)?.chunks_exact(4).map(|bytes| u32::from_le_bytes(word(bytes))).collect(),
-        depth: read(engine, &targets.depth)?.chunks_exact(4).map(|bytes| f32::from_le_bytes(word(bytes))).collect(),
+        things: read(engine, &targets.thing)?
+            .chunks_exact(4)
+            .map(|bytes| u32::from_le_bytes(word(bytes)))
+            .collect(),
+        depth: read(engine, &targets.depth)?
+            .chunks_exact(4)
+            .map(|bytes| f32::from_le_bytes(word(bytes)))
+            .collect(),
     })
 }
 
 /// Writes what the display shows.
 pub fn write(frame: &Frame, path: &Path) -> Fallible<()> {
-    let opaque: Vec<u8> = frame.display.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
+    let opaque: Vec<u8> =
+        frame.display.chunks_exact(4).flat_map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect();
     let [width, height] = frame.size;
     image::save_buffer(path, &opaque, width, height, image::ExtendedColorType::Rgb8)?;
     Ok(())

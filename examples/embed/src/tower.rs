@@ -61,7 +61,8 @@ impl Mesh {
     /// A frame of stone, and in it the dark or, from the ground, a door.
     fn opening(&mut self, side: usize, low: f32, high: f32, half: f32) {
         let wall = |y: f32| 3.0 - 0.25 * (y - 0.9) / 9.7; // the shaft's half width
-        let (out, across) = [(Vec3::Z, Vec3::X), (Vec3::X, Vec3::Z), (-Vec3::Z, Vec3::X), (-Vec3::X, Vec3::Z)][side];
+        let (out, across) =
+            [(Vec3::Z, Vec3::X), (Vec3::X, Vec3::Z), (-Vec3::Z, Vec3::X), (-Vec3::X, Vec3::Z)][side];
         let size = |half: f32, deep: f32| {
             let size = half * across.abs() + deep * out.abs();
             Vec2::new(size.x, size.z)
@@ -71,7 +72,13 @@ impl Mesh {
             self.frustum(centre, [low, high], [size(half, proud); 2], material);
         };
         let is_door = low < 1.0;
-        block(0.0, half, [low, high], if is_door { 0.06 } else { 0.05 }, if is_door { Material::Wood } else { Material::Dark });
+        block(
+            0.0,
+            half,
+            [low, high],
+            if is_door { 0.06 } else { 0.05 },
+            if is_door { Material::Wood } else { Material::Dark },
+        );
         for shift in [-half - 0.11, half + 0.11] {
             block(shift, 0.11, [low, high], 0.13, Material::Stone);
         }
@@ -84,7 +91,12 @@ impl Mesh {
         let corner = |end: usize, x: f32, z: f32| {
             Vec3::new(centre.x + x * halves[end].x, heights[end], centre.z + z * halves[end].y)
         };
-        for (a, b) in [((-1.0, 1.0), (1.0, 1.0)), ((1.0, 1.0), (1.0, -1.0)), ((1.0, -1.0), (-1.0, -1.0)), ((-1.0, -1.0), (-1.0, 1.0))] {
+        for (a, b) in [
+            ((-1.0, 1.0), (1.0, 1.0)),
+            ((1.0, 1.0), (1.0, -1.0)),
+            ((1.0, -1.0), (-1.0, -1.0)),
+            ((-1.0, -1.0), (-1.0, 1.0)),
+        ] {
             let [low_a, low_b] = [corner(0, a.0, a.1), corner(0, b.0, b.1)];
             let [high_a, high_b] = [corner(1, a.0, a.1), corner(1, b.0, b.1)];
             self.quad([low_a, low_b, high_b, high_a], material);

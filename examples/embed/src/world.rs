@@ -19,11 +19,21 @@ const TOWERS: [([f32; 2], f32, f32); 2] = [([-9570.0, -6988.0], 20.0, 1.0), ([-9
 const EYE: ([f32; 3], f32, f32) = ([-9540.0, 5.0, -6930.0], 9.0, 35.0);
 
 /// A GPU, or a software one, that can draw onto `surface` if there is one.
-pub fn device(instance: &wgpu::Instance, surface: Option<&wgpu::Surface<'_>>) -> Fallible<(wgpu::Adapter, wgpu::Device, wgpu::Queue)> {
+pub fn device(
+    instance: &wgpu::Instance,
+    surface: Option<&wgpu::Surface<'_>>,
+) -> Fallible<(wgpu::Adapter, wgpu::Device, wgpu::Queue)> {
     let options = wgpu::RequestAdapterOptions { compatible_surface: surface, ..Default::default() };
     let adapter = pollster::block_on(instance.request_adapter(&options))?;
     let (device, queue) = pollster::block_on(adapter.request_device(&wgpu::DeviceDescriptor::default()))?;
     Ok((adapter, device, queue))
+}
+
+/// The preset as it is now, with what the command line sets.
+pub fn preset(set: &[String]) -> Result<Preset, orogen::Error> {
+    let mut preset = Preset::file(PRESET)?;
+    set.iter().try_for_each(|assignment| preset.set(assignment))?;
+    Ok(preset)
 }
 
 /// The engine with its world, for a display of this format.
@@ -33,8 +43,7 @@ pub fn engine(
     display: wgpu::TextureFormat,
     set: &[String],
 ) -> Fallible<Engine> {
-    let mut preset = Preset::file(PRESET)?;
-    set.iter().try_for_each(|assignment| preset.set(assignment))?;
+    let preset = preset(set)?;
     let shader = orogen::compose(&landscape::library()?, &preset, &landscape::bake())?;
     let landscape = Landscape::new(&device, shader, preset);
     let mut engine = Engine::new(device, queue, landscape, display)?;

@@ -11,40 +11,9 @@ const STONE: u32 = 0u;
 const SHINGLES: u32 = 1u;
 const WOOD: u32 = 2u;
 
-struct ThingVertex {
-    @builtin(position) clip: vec4f,
-    /// Relative to the eye (m).
-    @location(0) relative: vec3f,
-    /// In the mesh's own metres.
-    @location(1) local: vec3f,
-    @location(2) local_normal: vec3f,
-    @location(3) normal: vec3f,
-    @location(4) @interpolate(flat) material: u32,
-    @location(5) @interpolate(flat) index: u32,
-}
-
+/// `v` (m) of the mesh, as the thing is turned.
 fn thing_turned(v: vec3f, turn: vec2f) -> vec3f {
     return vec3f(turn.x * v.x - turn.y * v.z, v.y, turn.y * v.x + turn.x * v.z);
-}
-
-@vertex
-fn thing_vertex(
-    @location(0) position: vec3f,
-    @location(1) normal: vec3f,
-    @location(2) material: u32,
-    @builtin(instance_index) index: u32,
-) -> ThingVertex {
-    let thing = view.things[index];
-    let relative = thing.foot + thing.scale * thing_turned(position, thing.turn) - view.eye;
-    let clip = view.clip_from_eye * vec4f(relative, 1.0);
-    return ThingVertex(clip, relative, position, normal, thing_turned(normal, thing.turn), material, index);
-}
-
-/// The same, as the sun sees it.
-@vertex
-fn thing_shadow_vertex(@location(0) position: vec3f, @builtin(instance_index) index: u32) -> @builtin(position) vec4f {
-    let thing = view.things[index];
-    return thing.sun * vec4f(thing.scale * thing_turned(position, thing.turn), 1.0);
 }
 
 /// Albedo of the wall, the roof or the door at `p` (m) with the axis-near unit `normal`; what is smaller than `pixel` (m) is
@@ -86,31 +55,24 @@ fn thing_albedo(p: vec3f, normal: vec3f, material: u32, pixel: f32) -> vec3f {
     return mix(albedo, vec3f(0.21, 0.20, 0.18), 0.8 * mortar);
 }
 
-/// What a mesh draws: light, and whose it is.
-struct Shown {
-    @location(0) radiance: vec4f,
-    @location(1) thing: u32,
-}
-
-/// A thing, lit as the land beside it is, and hazed as the land behind it.
-@fragment
-fn thing_fragment(in: ThingVertex) -> Shown {
-    let distance = length(in.relative);
-    let direction = in.relative / distance;
-    let position = view.eye + in.relative;
-    let normal = normalize(in.normal);
-    let scale = view.things[in.index].scale;
+/// What is seen of a thing at `relative` (m, from the eye), lit as the land beside it is, and hazed as the land behind it.
+///
+/// `local` and `local_normal` are in the mesh's own metres, `normal` in the world.
+fn thing_radiance(index: u32, relative: vec3f, normal: vec3f, local: vec3f, local_normal: vec3f, material: u32) -> vec3f {
+    let distance = length(relative);
+    let direction = relative / distance;
+    let position = view.eye + relative;
+    let scale = view.things[index].scale;
     let pixel = distance * camera_pixel_angle() / scale;
 
     let day = scene_daylight(position, distance);
     let own_shadow = guests_shadow(position + 0.06 * scale * normal, day.to_sun);
     // The ground takes the sky from the wall's foot, the eaves from its top.
-    let foot = 0.35 * exp(-max(in.local.y, 0.0) / 1.2);
-    let eaves = select(0.5 * smoothstep(2.2, 0.0, 10.9 - in.local.y), 0.0, in.material == SHINGLES);
-    let albedo = thing_albedo(in.local, in.local_normal, in.material, pixel);
+    let foot = 0.35 * exp(-max(local.y, 0.0) / 1.2);
+    let eaves = select(0.5 * smoothstep(2.2, 0.0, 10.9 - local.y), 0.0, material == SHINGLES);
     let radiance = outdoor_radiance(
-        albedo, normal, day.to_sun, day.sun, day.sky, own_shadow, 1.0 - max(foot, eaves), terrain.surroundings,
+        thing_albedo(local, local_normal, material, pixel), normal, day.to_sun, day.sun, day.sky, own_shadow,
+        1.0 - max(foot, eaves), terrain.surroundings,
     );
-    let seen = sky_through(scene_air(view.eye, direction, distance), radiance);
-    return Shown(vec4f(seen, 1.0), in.index + 1u);
+    return sky_through(scene_air(view.eye, direction, distance), radiance);
 }

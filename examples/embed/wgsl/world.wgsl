@@ -25,3 +25,48 @@ fn land_fragment(@builtin(position) pixel: vec4f) -> Drawn {
     let clip = view.clip_from_eye * vec4f(seen.distance * direction, 1.0);
     return Drawn(vec4f(seen.radiance, 1.0), 0u, clip.z / clip.w);
 }
+
+struct ThingVertex {
+    @builtin(position) clip: vec4f,
+    /// Relative to the eye (m).
+    @location(0) relative: vec3f,
+    /// In the mesh's own metres.
+    @location(1) local: vec3f,
+    @location(2) local_normal: vec3f,
+    @location(3) normal: vec3f,
+    @location(4) @interpolate(flat) material: u32,
+    @location(5) @interpolate(flat) index: u32,
+}
+
+@vertex
+fn thing_vertex(
+    @location(0) position: vec3f,
+    @location(1) normal: vec3f,
+    @location(2) material: u32,
+    @builtin(instance_index) index: u32,
+) -> ThingVertex {
+    let thing = view.things[index];
+    let relative = thing.foot + thing.scale * thing_turned(position, thing.turn) - view.eye;
+    let clip = view.clip_from_eye * vec4f(relative, 1.0);
+    return ThingVertex(clip, relative, position, normal, thing_turned(normal, thing.turn), material, index);
+}
+
+/// The same, as the sun sees it.
+@vertex
+fn thing_shadow_vertex(@location(0) position: vec3f, @builtin(instance_index) index: u32) -> @builtin(position) vec4f {
+    let thing = view.things[index];
+    return thing.sun * vec4f(thing.scale * thing_turned(position, thing.turn), 1.0);
+}
+
+/// What a pixel of a thing is: light, and whose; its depth is the rasteriser's.
+struct Shown {
+    @location(0) radiance: vec4f,
+    @location(1) thing: u32,
+}
+
+@fragment
+fn thing_fragment(in: ThingVertex) -> Shown {
+    let normal = normalize(in.normal);
+    let seen = thing_radiance(in.index, in.relative, normal, in.local, in.local_normal, in.material);
+    return Shown(vec4f(seen, 1.0), in.index + 1u);
+}
