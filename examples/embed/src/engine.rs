@@ -158,6 +158,11 @@ impl Engine {
         self.azimuth = Some(self.to_sun.x.atan2(-self.to_sun.z).to_degrees());
     }
 
+    /// Unit vector to the sun.
+    pub fn to_sun(&self) -> Vec3 {
+        self.to_sun
+    }
+
     fn ask_for_sun(&mut self) -> Fallible<()> {
         let [to_sun] = self.landscape.ask(&self.gpu, "key_direction()", [], &[[]])?[..] else {
             return Err("there is one sun".into());

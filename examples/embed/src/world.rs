@@ -14,9 +14,9 @@ pub const PRESET: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/valley.json");
 /// The display's factor on light, of which 1 is white.
 pub const EXPOSURE: f32 = 2.0;
 /// Where the towers stand (m, east and south), which way their doors look (degrees, clockwise from south), and how large.
-const TOWERS: [([f32; 2], f32, f32); 2] = [([-9570.0, -6988.0], 20.0, 1.0), ([-9700.0, -7900.0], 50.0, 1.0)];
+const TOWERS: [([f32; 2], f32, f32); 2] = [([-9480.0, -6980.0], 20.0, 1.0), ([-9706.0, -7987.0], 30.0, 2.0)];
 /// The eye (m: east, over the ground, south), what it looks at (m over the first tower's foot), and the lens (mm).
-const EYE: ([f32; 3], f32, f32) = ([-9540.0, 5.0, -6930.0], 9.0, 35.0);
+const EYE: ([f32; 3], f32, f32) = ([-9440.0, 8.0, -6920.0], 8.0, 35.0);
 
 /// A GPU, or a software one, that can draw onto `surface` if there is one.
 pub fn device(

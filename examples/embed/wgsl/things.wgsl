@@ -11,6 +11,8 @@ const STONE: u32 = 0u;
 const SHINGLES: u32 = 1u;
 const WOOD: u32 = 2u;
 
+const COURSE: f32 = 0.34; // height of a course of stones (m)
+
 /// `v` (m) of the mesh, as the thing is turned.
 fn thing_turned(v: vec3f, turn: vec2f) -> vec3f {
     return vec3f(turn.x * v.x - turn.y * v.z, v.y, turn.y * v.x + turn.x * v.z);
@@ -38,12 +40,12 @@ fn thing_albedo(p: vec3f, normal: vec3f, material: u32, pixel: f32) -> vec3f {
         return vec3f(0.012); // the dark behind an opening
     }
     // Courses of squared granite, each stone of its own grey, with mortar between them.
-    let row = floor(p.y / 0.46);
-    let v = fract(p.y / 0.46);
-    let shift = unit_float(pcg_cell2(vec2i(i32(row), 1), 9u));
-    let u = along / 0.85 + shift;
+    let row = floor(p.y / COURSE);
+    let v = fract(p.y / COURSE);
+    let length = COURSE * (1.3 + 0.9 * unit_float(pcg_cell2(vec2i(i32(row), 2), 9u)));
+    let u = along / length + unit_float(pcg_cell2(vec2i(i32(row), 1), 9u));
     let stone = vec2i(i32(floor(u)), i32(row));
-    let joint = min(0.46 * min(v, 1.0 - v), 0.85 * min(fract(u), 1.0 - fract(u)));
+    let joint = min(COURSE * min(v, 1.0 - v), length * min(fract(u), 1.0 - fract(u)));
     let fine = 1.0 - smoothstep(0.06, 0.4, pixel);
     let mortar = fine * (1.0 - smoothstep(0.008, 0.02 + pixel, joint));
     let tint = unit_float(pcg_cell2(stone, 4u)) - 0.5;
@@ -51,7 +53,7 @@ fn thing_albedo(p: vec3f, normal: vec3f, material: u32, pixel: f32) -> vec3f {
     let grey = mix(vec3f(0.25, 0.24, 0.225), vec3f(0.29, 0.26, 0.215), warm);
     let rough = perlin_noise3(9.0 * p, 7u) * (1.0 - smoothstep(0.02, 0.1, pixel));
     let damp = 0.35 * exp(-max(p.y, 0.0) / 0.9);
-    let albedo = grey * (1.0 + fine * (0.45 * tint + 0.12 * rough) + 0.16 * weather - damp);
+    let albedo = grey * (1.0 + fine * (0.6 * tint + 0.14 * rough) + 0.2 * weather - damp);
     return mix(albedo, vec3f(0.21, 0.20, 0.18), 0.8 * mortar);
 }
 
