@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, channel};
 use std::time::{Duration, Instant};
 
-use notify::event::{AccessKind, AccessMode, EventKind};
+use notify::event::{AccessKind, AccessMode, CreateKind, EventKind};
 use notify::{RecommendedWatcher, RecursiveMode, Watcher};
 
 use crate::bake::Bake;
@@ -194,7 +194,9 @@ impl Watch {
             let extension = path.extension().unwrap_or_default();
             extension == "wgsl" || extension == "json" || self.read.contains(path)
         };
-        event.need_rescan() || is_change && event.paths.iter().any(is_ours)
+        // What is in a new folder may have been there before its watch was.
+        let is_folder = event.kind == EventKind::Create(CreateKind::Folder);
+        event.need_rescan() || is_folder || is_change && event.paths.iter().any(is_ours)
     }
 
     fn files(&mut self, files: &Files) -> Result<(), Error> {
