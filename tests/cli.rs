@@ -85,6 +85,9 @@ fn what_makes_no_sense_exits_with_2() {
         &["render", "alpine", "--frames", "0"],
         &["render", "alpine", "--frames", "2", "--fps", "-3"],
         &["render", "alpine", "--fps", "24"],
+        &["render", "alpine", "--mouse", "1,2,3"],
+        &["render", "alpine", "--mouse", "1,2,3,nan"],
+        &["render", "alpine", "--mouse", "1,2,3,4,5"],
         &["render", "alpine", "--projection", "fisheye"],
         &["render", "alpine", "--faces"],
         &["render", "alpine", "--watch"],
@@ -617,6 +620,31 @@ fn main_image(p: vec2f) -> vec4f { return vec4f(fract(frame.time), f32(frame.ind
         let picture = image::open(folder.path().join(name)).expect("it was written").to_rgb8();
         let found = picture.get_pixel(0, 0);
         assert!((0..2).all(|i| found[i].abs_diff(expected[i]) <= 1), "{more:?}: {found:?}");
+    }
+}
+
+#[test]
+fn a_drag_of_the_mouse_reaches_the_scene_as_on_shadertoy() {
+    let folder = folder();
+    let scene = put(
+        &folder,
+        "mouse.wgsl",
+        "#include <frame.wgsl>
+fn main_image(p: vec2f) -> vec4f { return vec4f(abs(frame.mouse.xyz) / 255.0, step(0.0, -frame.mouse.w)); }\n",
+    );
+    let path = folder.path().join("mouse.png").display().to_string();
+    for (more, expected) in [
+        (&["--set", "frame.mouse=[1,2,3,4]"] as &[&str], [1, 2, 3, 0]),
+        (&["--set", "frame.mouse=[1,2,3,4]", "--mouse", "-40,90,200,-7"], [40, 90, 200, 255]),
+        (&["--mouse", " 10.0, 20, 30, -5 ", "--live", "*"], [10, 20, 30, 255]),
+        (&["--mouse", "10,20,30,40", "--frames", "1"], [10, 20, 30, 0]),
+    ] {
+        let output = orogen(&[&["render", &scene, "--size", "4x4", "-o", &path], more].concat());
+        assert_eq!(status(&output), 0, "{}", err(&output));
+        let name = if more.contains(&"--frames") { "mouse_0001.png" } else { "mouse.png" };
+        let found = picture(&folder, name).0.to_rgba8();
+        let found = found.get_pixel(0, 0);
+        assert!((0..4).all(|i| found[i].abs_diff(expected[i]) <= 1), "{more:?}: {found:?}");
     }
 }
 

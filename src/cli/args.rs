@@ -196,6 +196,10 @@ pub(super) struct Render {
     /// The time of the (first) picture, in seconds; the preset's `frame.time` unless told
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = finite)]
     pub(super) time: Option<f32>,
+    /// A drag of the mouse, which turns the camera: where it is now and where it was pressed, in pixels from the bottom
+    /// left, as Shadertoy's iMouse; the preset's `frame.mouse` unless told
+    #[arg(long, value_name = "X,Y,CLICKX,CLICKY", allow_hyphen_values = true, value_parser = mouse)]
+    pub(super) mouse: Option<[f32; 4]>,
     /// Write a sequence of so many pictures, numbered
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(super) frames: Option<u32>,
@@ -401,6 +405,13 @@ fn glob(text: &str) -> Result<String, String> {
 
 fn finite(text: &str) -> Result<f32, String> {
     text.parse().ok().filter(|value: &f32| value.is_finite()).ok_or_else(|| "write seconds, as in 7.5".into())
+}
+
+fn mouse(text: &str) -> Result<[f32; 4], String> {
+    let numbers =
+        text.split(',').map(|number| number.trim().parse().ok().filter(|value: &f32| value.is_finite()));
+    let four = numbers.collect::<Option<Vec<f32>>>().and_then(|numbers| numbers.try_into().ok());
+    four.ok_or_else(|| "write four numbers of pixels, as in 400,300,200,300".into())
 }
 
 fn rate(text: &str) -> Result<f32, String> {

@@ -147,6 +147,7 @@ fn draw(
             time: start + index as f32 / args.fps,
             delta: args.frames.map(|_| 1.0 / args.fps),
             index: first.wrapping_add(index),
+            mouse: args.mouse,
             ..Shot::new(width, height)
         };
         let shot = projection.shot(shot, width, height)?;

@@ -70,6 +70,14 @@ pub enum ExportError {
         /// naga's words.
         why: String,
     },
+    /// `OR0812`
+    #[error("Orogen itself failed while writing `{target}`")]
+    Fault {
+        /// The target.
+        target: Target,
+        /// What went wrong.
+        why: String,
+    },
     /// `OR0811`
     #[error("naga panicked while writing `{target}`")]
     Panic {
@@ -124,7 +132,7 @@ impl ExportError {
                 d("OR0805").help(Some(format!("choose {}", choices(known.iter().map(String::as_str)))))
             }
             E::NotInEs300 { .. } => d("OR0806")
-                .help(Some("write it out with shifts, `&` and `if`, or export another target".into())),
+                .help(Some("leave it out of what the entry point reaches, or export another target".into())),
             E::Unwrappable { .. } => d("OR0807").help(Some(
                 "let it take `@builtin(position)` alone and return one `vec4f`, or write `main_image` instead".into(),
             )),
@@ -139,6 +147,9 @@ impl ExportError {
             E::Writer { why, .. } => d("OR0810")
                 .note(format!("naga says: {why}"))
                 .help(Some("the target lacks what the shader uses: leave that out, or export another target".into())),
+            E::Fault { why, .. } => d("OR0812").note(why.clone()).help(Some(
+                "this is a fault of Orogen; a smaller shader that shows it is worth a report".into(),
+            )),
             E::Panic { why, .. } => d("OR0811").note(format!("naga says: {why}")).help(Some(
                 "this is a fault of naga; export wgsl, which does not go through it, and report a smaller shader there"
                     .into(),

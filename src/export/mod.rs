@@ -4,15 +4,15 @@
 
 mod back;
 mod error;
-mod es300;
 mod glsl;
 mod header;
 mod json;
-mod names;
 mod source_map;
 mod target;
+mod typed;
 
 pub use error::ExportError;
+pub use glsl::Glsl;
 pub use source_map::source_map;
 pub use target::{Stage, Target};
 

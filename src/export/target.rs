@@ -85,10 +85,15 @@ impl Target {
         }
     }
 
-    /// How parameters are to be baked: on Shadertoy, live ones are global variables, since no host sets uniforms there.
+    /// How parameters are to be baked: on Shadertoy, live ones are global variables, since no host sets uniforms there. In
+    /// GLSL the group `frame` is uniforms of their own, beside the buffer of the live ones.
     #[must_use]
     pub fn bake(self, bake: Bake) -> Bake {
-        if self == Self::Shadertoy { bake.as_variables() } else { bake }
+        match self {
+            Self::Shadertoy => bake.as_variables(),
+            Self::Glsl => bake.with_frame_as_variables(),
+            _ => bake,
+        }
     }
 }
 

@@ -64,6 +64,12 @@ fn check(gpu: &Gpu, shot: &Shot) -> Result<(), RenderError> {
             help: "give it in seconds, as in `--time 12.5`",
         });
     }
+    if shot.mouse.is_some_and(|mouse| !mouse.iter().all(|value| value.is_finite())) {
+        return Err(RenderError::Shot {
+            why: "the mouse is not at finite pixels",
+            help: "give where it is and where it was pressed, as in `--mouse 400,300,200,300`",
+        });
+    }
     Ok(())
 }
 

@@ -430,3 +430,55 @@ fn clouds_on_a_plane_cover_what_they_are_told_to() {
     }
     report.finish();
 }
+
+/// The sun through the layer in `count` even samples of full detail, how many a shadow's march takes, and the march's.
+const SHADOW: &str = "
+#include <clouds/layer.wgsl>
+var<private> shade_asked: f32;
+fn shade_density(p: vec3f, footprint: f32) -> f32 { shade_asked += 1.0; return cloud_extinction(p, footprint); }
+fn shade_source(p: vec3f, direction: vec3f, extinction: f32, depth: f32) -> vec3f { return vec3f(0.0); }
+#include <march/volume.wgsl> as shade with density = shade_density, vacancy = cloud_vacancy, span = cloud_ahead, source = shade_source
+
+fn shade(p: vec3f, elevation: f32, count: i32) -> vec3f {
+    let to_sun = vec3f(0.0, sin(elevation), cos(elevation));
+    let way = cloud_ahead(p, to_sun);
+    var depth = 0.0;
+    for (var i = 0; i < count; i++) {
+        let step = (way.y - way.x) / f32(count);
+        depth += step * cloud_extinction(p + (way.x + step * (f32(i) + 0.5)) * to_sun, 0.0);
+    }
+    shade_asked = 0.0;
+    let marched = shade_shadow(p, to_sun, way.x, way.y, CLOUD_SHADOW_SAMPLES);
+    return vec3f(exp(-depth), shade_asked, marched);
+}
+";
+
+#[test]
+fn shadows_of_clouds_are_as_deep_as_the_clouds() {
+    let mut report = Report::new(SECTION, "shadows_of_clouds_are_as_deep_as_the_clouds");
+    let points = places(29, 3000, 30_000.0, 0.0, 1.0);
+    for (name, more) in [
+        ("cumulus", &["clouds.coverage=0.42"][..]),
+        ("stratocumulus", &["clouds.type=0.5", "clouds.coverage=0.8", "clouds.scale=1500"]),
+    ] {
+        let preset = sky(more);
+        let scope = Scope { fragment: SHADOW, preset: Some(&preset), ..Scope::default() };
+        for degrees in [20.0_f32, 45.0] {
+            let call = format!("shade(p, {:?}, 400)", degrees.to_radians());
+            let rows = values(&call, &scope, ["x", "y", "z"], &points);
+            let mean = |f: &dyn Fn(&Vec<f64>) -> f64| rows.iter().map(f).sum::<f64>() / rows.len() as f64;
+            let what = format!("{name}, sun {degrees}° high");
+            let truth = mean(&|row| row[0]);
+            report.near(
+                &format!("{what}: mean light on the ground, of 400 samples"),
+                mean(&|row| row[2]),
+                truth,
+                0.02,
+            );
+            let rms = mean(&|row| (row[2] - row[0]).powi(2)).sqrt();
+            report.at_most(&format!("{what}: rms difference to that"), rms, 0.1);
+            report.at_most(&format!("{what}: evaluations in the mean"), mean(&|row| row[1]), 32.0);
+        }
+    }
+    report.finish();
+}

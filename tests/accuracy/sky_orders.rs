@@ -186,20 +186,28 @@ fn furnace(mu: f32, steps: u32) -> array<vec3f, 2> {
 }
 ";
 
+/// Airs that absorb nothing, over white ground: parameters of `sky`.
+const WHITE: &[&str] =
+    &["sky.mie_absorption=[0,0,0]", "sky.ozone_absorption=[0,0,0]", "sky.ground_albedo=[1,1,1]"];
+
 #[test]
 fn no_air_gives_back_more_light_than_it_gets() {
     let mut report = Report::new(SECTION, "no_air_gives_back_more_light_than_it_gets");
-    let white = ["sky.mie_absorption=[0,0,0]", "sky.ozone_absorption=[0,0,0]"];
-    let airs: [(&str, Vec<&str>); 4] = [
-        ("Earth's air that absorbs nothing", white.to_vec()),
-        ("the same over white ground", [&white[..], &["sky.ground_albedo=[1,1,1]"]].concat()),
-        ("the same over black ground", [&white[..], &["sky.ground_albedo=[0,0,0]"]].concat()),
-        ("ten times the aerosols", [&white[..], &["sky.mie_scattering=[40,40,40]"]].concat()),
+    let airs: [(&str, &[&str], f64); 5] = [
+        ("Earth's air that absorbs nothing", &["sky.ground_albedo=[0.3,0.3,0.3]"], 0.97),
+        ("the same over white ground", &[], 0.94),
+        ("the same over black ground", &["sky.ground_albedo=[0,0,0]"], 0.97),
+        (
+            "ten times the aerosols",
+            &["sky.ground_albedo=[0.3,0.3,0.3]", "sky.mie_scattering=[40,40,40]"],
+            0.97,
+        ),
+        ("the same over white ground", &["sky.mie_scattering=[40,40,40]"], 0.9),
     ];
-    for (name, settings) in airs {
-        let preset = preset(&settings);
+    for (name, settings, bound) in airs {
+        let preset = preset(&[WHITE, settings].concat());
         let scope = Scope { fragment: FURNACE, preset: Some(&preset), ..Scope::default() };
-        let points: Vec<[f32; 1]> = [0.3, 0.5, 0.7, 1.0_f32].map(|mu| [mu]).to_vec();
+        let points: Vec<[f32; 1]> = [0.3, 0.5, 0.7, 0.85, 1.0_f32].map(|mu| [mu]).to_vec();
         let back = values("furnace(mu, 16u)[0]", &scope, ["mu"], &points);
         let kept = values("furnace(mu, 16u)[1]", &scope, ["mu"], &points);
         let sums = || (0..points.len()).flat_map(|i| (0..3).map(move |c| (i, c)));
@@ -208,9 +216,59 @@ fn no_air_gives_back_more_light_than_it_gets() {
         report.at_most(
             &format!("{name}: what leaves and what the ground keeps, of what comes in"),
             most,
-            1.04,
+            1.001,
         );
-        report.at_least("the same, at least", least, 0.97);
+        report.at_least("the same, at least", least, bound);
+    }
+    report.finish();
+}
+
+/// What is seen in a sky of radiance 1 all around: the air's own light out of it, and what shows through from behind.
+const SURROUNDED: &str = "
+#include <sky/atmosphere.wgsl>
+fn surrounded(height: f32, view_mu: f32, steps: u32) -> vec3f {
+    let view = vec3f(sqrt(1.0 - view_mu * view_mu), view_mu, 0.0);
+    let way = atmosphere_way(AirPlace(height, view_mu), RAY_FAR);
+    var seen = vec3f(0.0);
+    if !way.grounded {
+        seen = exp(-medium_extinction(air_path_between(atmosphere_shells(), way.start, way.length)));
+    }
+    // Suns over one half of the sphere, the other being its mirror image; densest on the horizon.
+    for (var k = 0u; k < 4u * steps * steps; k++) {
+        let u = (f32(k / steps) + 0.5) / f32(2u * steps) - 1.0;
+        let turn = 3.14159265 * (f32(k % steps) + 0.5) / f32(steps);
+        let mu = u * abs(u);
+        let level = sqrt(1.0 - mu * mu);
+        let to_sun = vec3f(level * cos(turn), mu, level * sin(turn));
+        seen += atmosphere_radiance(height, view, to_sun) * (6.2831853 * abs(u) / f32(steps * steps));
+    }
+    return seen;
+}
+";
+
+#[test]
+fn air_and_white_ground_vanish_in_a_white_furnace() {
+    let mut report = Report::new(SECTION, "air_and_white_ground_vanish_in_a_white_furnace");
+    let airs: [(&str, &[&str], f64); 6] = [
+        ("Earth's air", &[], 0.8),
+        ("molecules alone", &["sky.mie_scattering=[0,0,0]"], 0.8),
+        ("ten times the aerosols", &["sky.mie_scattering=[40,40,40]"], 0.7),
+        ("three times the molecules", &["sky.rayleigh_scattering=[17.4,40.7,99.3]"], 0.75),
+        ("a sixth of the molecules", &["sky.rayleigh_scattering=[0.97,2.26,5.52]"], 0.8),
+        ("Mars's", &[MARS, WHITE].concat(), 0.5),
+    ];
+    for (name, settings, bound) in airs {
+        let preset = preset(&[WHITE, settings].concat());
+        let scope = Scope { fragment: SURROUNDED, preset: Some(&preset), ..Scope::default() };
+        let heights = [0.5, 2000.0, 10_000.0, 40_000.0, 300_000.0];
+        let views = [-1.0, -0.5, -0.15, -0.02, 0.02, 0.15, 0.5, 1.0_f32];
+        let points: Vec<[f32; 2]> =
+            heights.iter().flat_map(|&height| views.map(|view| [height, view])).collect();
+        let seen = values("surrounded(h, v, 24u)", &scope, ["h", "v"], &points);
+        let most = seen.iter().flatten().copied().fold(0.0, f64::max);
+        let least = seen.iter().flatten().copied().fold(f64::MAX, f64::min);
+        report.at_most(&format!("{name}: most of what is seen, of a radiance of 1 all around"), most, 1.001);
+        report.at_least(&format!("{name}: least"), least, bound);
     }
     report.finish();
 }

@@ -98,16 +98,16 @@ const CLOUD_OCTAVES: i32 = 5;
 const CLOUD_MEAN: f32 = 0.84;
 // As far as it is worth telling that there is no cloud, in distances between heaps.
 const CLOUD_VACANT: f32 = 0.3;
-// Samples of a column's profile, and of a shadow.
+// Samples of a column's profile; steps that a shadow's way is divided into.
 const CLOUD_COLUMN: i32 = 8;
 #if quality == low
 const CLOUD_SHADOW_SAMPLES: i32 = 8;
 #elif quality == medium
-const CLOUD_SHADOW_SAMPLES: i32 = 16;
-#elif quality == high
 const CLOUD_SHADOW_SAMPLES: i32 = 32;
-#else
+#elif quality == high
 const CLOUD_SHADOW_SAMPLES: i32 = 64;
+#else
+const CLOUD_SHADOW_SAMPLES: i32 = 96;
 #endif
 // The least that is eaten, over the most.
 const CLOUD_RIM: f32 = 0.35;

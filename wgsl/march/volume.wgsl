@@ -232,16 +232,32 @@ fn march(
     return seen;
 }
 
-/// Part of a distant light, 0 .. 1, that comes through to `position` from between `near` and `far` (m) toward it, in
-/// `samples` evenly spaced evaluations; details finer than their spacing are left out.
+// Optical depth from which on a shadow is as dark as it gets: a four-hundredth of the light is left.
+const SHADOW_DEEP: f32 = 6.0;
+
+/// Part of a distant light, 0 .. 1, that comes through to `position` from between `near` and `far` (m) toward it.
+///
+/// The way is taken in steps of a part in `samples` of it, with one evaluation in the middle of each; emptiness that is
+/// known is jumped over, and no step is taken beyond a depth of `SHADOW_DEEP`: in clouds two of three evaluations are
+/// spared. Details finer than a quarter of a step are left out.
 fn shadow(position: vec3f, to_light: vec3f, near: f32, far: f32, samples: i32) -> f32 {
     let spacing = max(far - near, 0.0) / f32(max(samples, 1));
-    var sum = 0.0;
+    var at = near;
+    var here = 0.0;
+    var depth = 0.0;
     for (var i = 0; i < samples; i++) {
-        let t = near + spacing * (f32(i) + 0.5);
-        sum += clamp(density(position + t * to_light, 0.5 * spacing), 0.0, 1e9);
+        if here <= 0.0 {
+            at += max(vacancy(position + at * to_light), 0.0);
+        }
+        if at >= far || depth >= SHADOW_DEEP {
+            break;
+        }
+        let step = min(spacing, far - at);
+        here = clamp(density(position + (at + 0.5 * step) * to_light, 0.25 * step), 0.0, 1e9);
+        depth += here * step;
+        at += step;
     }
-    return exp(-sum * spacing);
+    return exp(-depth);
 }
 
 /// Mean part of a distant light, 0 .. 1, that reaches the air along a view ray between `near` and `far` (m): what the

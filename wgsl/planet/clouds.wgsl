@@ -3,9 +3,11 @@
 // What they are up close <clouds/layer.wgsl> shows; here one number a place says how thick they are.
 
 #include <fractal/fbm3.wgsl> as shell with noise3 = perlin_noise3_grad
+#include <frame.wgsl>
 #include <noise/curl.wgsl>
 #include <noise/pcg.wgsl>
 #include <noise/perlin.wgsl>
+#include <sky/medium.wgsl>
 
 /// Part of the sky that clouds cover, near enough.
 #param shell.cover: f32 = 0.55, range 0 .. 1
@@ -19,6 +21,10 @@
 #param shell.sweep: f32 = 0.16, range 0 .. 1
 /// How often a cyclone has turned its middle.
 #param shell.turns: f32 = 0.8, range 0 .. 3
+/// How fast the wind carries them to the east, over the equator; as many degrees an hour at all latitudes.
+#param shell.wind_speed: f32 = 15.0, range -200 .. 200, unit m/s
+/// How fast they form and dissolve: the speed at which the noise that shapes the fields moves through the shell.
+#param shell.evolution: f32 = 4.0, range 0 .. 200, unit m/s
 /// Which day.
 #param shell.seed: u32 = 1
 
@@ -27,12 +33,18 @@ const SHELL_FORWARD: f32 = 0.85; // mean cosine of the angle that droplets scatt
 const SHELL_OCTAVES: f32 = 11.5;
 const SHELL_FLECKS: f32 = 32.0; // how much smaller the largest flecks are than the largest fields
 const SHELL_LARGE: f32 = 5.0; // log2 of that
+// Where the noise moves to, and flecks, which live shorter than fields do: across.
+const SHELL_COURSE: vec3f = vec3f(0.48, 0.60, -0.64);
+const SHELL_FLECKS_COURSE: vec3f = vec3f(-1.2, 0.9, 0.0);
 
 /// How thick the clouds are above the unit `direction` from the planet's centre, in the planet's own axes: 0 clear .. 1. A
 /// pixel covers `footprint` (rad) of it. Three noises and up to thirteen octaves.
 fn shell_at(direction: vec3f, footprint: f32) -> f32 {
+    let eastward = shell.wind_speed / sky.ground_radius * frame.time;
+    let carried = turned_about(direction, vec3f(0.0, 1.0, 0.0), -eastward);
+    let evolved = shell.evolution / sky.ground_radius * frame.time;
     // Cyclones wind the map up, against the clock on the north, with it on the south.
-    var q = direction;
+    var q = carried;
     for (var i = 0u; i < SHELL_CYCLONES; i++) {
         let dice = unit_float3(pcg3d(vec3u(i, shell.seed, 401u)));
         let north = select(-1.0, 1.0, (i & 1u) == 0u);
@@ -47,14 +59,14 @@ fn shell_at(direction: vec3f, footprint: f32) -> f32 {
             q = turned_about(q, eye, angle);
         }
     }
-    let place = q / shell.scale;
+    let place = (q + evolved * SHELL_COURSE) / shell.scale;
     let swept = place + shell.sweep * curl_noise3(0.7 * place, shell.seed + 11u);
     let octaves = min(SHELL_OCTAVES, log2(shell.scale / max(2.0 * footprint, 1e-6)));
     // Longer from west to east than from north to south; what is small has formed since, and is not drawn out.
     let drawn = vec3f(swept.x, 1.5 * swept.y, swept.z);
     let fields = shell_fbm3(drawn, shell.seed + 3u, clamp(octaves, 1.0, 6.0), 0.64, 2.03).x;
     let fine = octaves - SHELL_LARGE;
-    let small = direction * (SHELL_FLECKS / shell.scale) + 0.25 * swept;
+    let small = (carried + evolved * SHELL_FLECKS_COURSE) * (SHELL_FLECKS / shell.scale) + 0.25 * swept;
     let flecks = shell_fbm3(small, shell.seed + 5u, fine, 0.96, 2.03).x;
     // Wet along the equator and in the westerlies, dry between and at the poles.
     let climate = 0.22 * cos(6.0 * asin(clamp(direction.y, -1.0, 1.0))) - 0.25 * direction.y * direction.y;

@@ -11,7 +11,8 @@
 // and over 225 rays traced singly, at dusk, in hazier air and on Mars. They depend on optical depth, sun and height
 // alone, and so follow the parameters of the air. With an exact first order, Earth's sky is right within 3 % for suns
 // up to 85° from the zenith, 7 % to 90°, 12 % at 92°, 20 % at 94° and 96°; air of ten times the aerosols
-// within 15 % and Mars's within 40 % by day.
+// within 15 % and Mars's within 40 % by day. Those are over ground of albedo .3; over whiter ground a bound keeps
+// what comes out at what goes in (`orders_over_white`).
 
 #include <sky/medium.wgsl>
 
@@ -31,6 +32,8 @@ struct OrdersField {
     w: f32,
     /// Logarithm of the air's optical depth, as the fit counts it, -1.5 .. 1.5.
     x: vec3f,
+    /// What the fitted mean is to be multiplied by over ground whiter than that of the fit: .5 .. 1.
+    over_white: vec3f,
 }
 
 /// Columns of air above a point that lie between it and a sun at `sun_mu`, `radius` in scale heights. Schüler's form of
@@ -72,8 +75,26 @@ fn orders_two_stream(height: f32, sun_mu: f32) -> OrdersField {
     field.air_mass = air_mass;
     field.density = density;
     field.w = max(sun_mu / (abs(sun_mu) + 0.15), -0.62);
-    field.x = clamp(log(column) + 2.2, vec3f(-1.5), vec3f(1.5));
+    let x = log(column) + 2.2;
+    field.x = clamp(x, vec3f(-1.5), vec3f(1.5));
+    field.over_white = orders_over_white(h, density.x, x, field.x);
     return field;
+}
+
+// Albedo of the ground under the traced paths.
+const ORDERS_ALBEDO: f32 = 0.3;
+
+/// What keeps the fit from giving out more light than comes in where the ground is whiter than that of the traced paths.
+///
+/// Air that absorbs nothing over white ground, in a sky of radiance 1, is known without tracing: it can't be told from
+/// that sky. The fit's numbers are the upper envelope, over thin, thick and hazy air, of what was too much then; up high
+/// it is what the planet fills less than half of the view. 1 up to `ORDERS_ALBEDO`. `x` and `clamped`: `OrdersField.x`.
+fn orders_over_white(height: f32, thick: f32, x: vec3f, clamped: vec3f) -> vec3f {
+    let whiter = max(sky.ground_albedo - ORDERS_ALBEDO, vec3f(0.0)) / (1.0 - ORDERS_ALBEDO);
+    let dip = min(sqrt(height * (2.0 * sky.ground_radius + height)) / (sky.ground_radius + height), 1.0);
+    let high = 0.922 - 0.05 * clamped - 0.025 * clamp(x - 0.9, vec3f(0.0), vec3f(5.0));
+    let low = thick * (0.4 + 0.6 * thick) * max(0.09 + clamped * (0.05 * clamped - 0.11), vec3f(0.055));
+    return 1.0 - whiter * (1.0 - (1.0 - dip) * min(high - low, vec3f(1.0)));
 }
 
 /// What the two-stream field's mean radiance is to be multiplied by: .13 .. 34, and .9 .. 1.8 by day.
@@ -102,7 +123,7 @@ fn orders_sent_forward(field: OrdersField) -> vec3f {
 /// between them. At least 0, finite.
 fn orders_source(height: f32, sun_mu: f32, view_mu: f32, cos_theta: f32) -> vec3f {
     let field = orders_two_stream(height, sun_mu);
-    let mean = orders_field(field) * field.mean;
+    let mean = orders_field(field) * field.over_white * field.mean;
     // Molecules: nearly all ways alike, somewhat more along the horizon, which is the brightest.
     let level = 1.0 - 3.0 * view_mu * view_mu;
     let molecules = 1.0 + (0.0337 + 0.0023 * field.x) * level;

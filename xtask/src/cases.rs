@@ -28,9 +28,9 @@ pub(crate) struct Case {
 }
 
 /// The three bakings: every parameter a constant, an override, or a field of the uniform buffer.
-const CONST: (&str, &[&str]) = ("const", &[]);
+pub(crate) const CONST: (&str, &[&str]) = ("const", &[]);
 const OVERRIDE: (&str, &[&str]) = ("override", &["--overrides", "*"]);
-const UNIFORM: (&str, &[&str]) = ("uniform", &["--live", "*"]);
+pub(crate) const UNIFORM: (&str, &[&str]) = ("uniform", &["--live", "*"]);
 
 /// Everything that is judged of one preset.
 pub(crate) fn of_preset(preset: &str) -> Vec<Case> {

@@ -47,7 +47,7 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
     steps.step("benchmarks build", || run(&mut cargo("bench --no-run")))?;
     steps.step("judges", || {
         run(&mut cargo("build --release"))?;
-        judges::judge()
+        judges::judge(&[])
     })?;
     steps.step("documentation", || run(cargo("doc --no-deps").env("RUSTDOCFLAGS", "-D warnings")))
 }
