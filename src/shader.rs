@@ -40,7 +40,7 @@ pub struct Compose {
     pub keep_unused: bool,
     /// What the result looks like.
     pub templates: Templates,
-    /// A fragment to be put in beside the scene; the scene gets no entry point then.
+    /// A fragment to be put in beside the scene; the scene has no entry point then, not even its own.
     pub(crate) beside: Option<Source>,
     cache: Cache,
 }

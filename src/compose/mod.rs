@@ -141,7 +141,7 @@ pub struct Request<'a> {
     pub prefix: Prefix,
     /// The entry point of a scene that has `main_image` and no entry point of its own.
     pub wrapper: Option<Source>,
-    /// A fragment that is put in beside the scene.
+    /// A fragment that is put in beside the scene: its entry points are the only ones.
     pub beside: Option<Source>,
     /// Keep declarations that no entry point reaches.
     pub keep_unused: bool,
@@ -198,7 +198,7 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         wrapper_root = Some(graph.add_root(wrapper.clone(), library, cache, &mut files, &mut errors));
     }
     if let Some(beside) = &request.beside {
-        graph.add_root(beside.clone(), library, cache, &mut files, &mut errors);
+        graph.only_from = Some(graph.add_root(beside.clone(), library, cache, &mut files, &mut errors));
     }
     if let Some(scene) = aside {
         graph.add_aside(scene, library, cache, &mut files, &mut errors);
