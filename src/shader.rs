@@ -117,8 +117,9 @@ pub struct Shader {
 
 impl Shader {
     /// The same shader in another text.
-    pub(crate) fn with(&self, baked: bake::Baked) -> Result<Self, Error> {
-        Ok(Self { checked: check::check(baked)?, declarations: self.declarations.clone() })
+    #[cfg(feature = "check")]
+    pub(crate) fn with(&self, baked: Baked) -> Result<Self, Error> {
+        Ok(Self { baked: check::check(baked)?, declarations: self.declarations.clone() })
     }
 
     /// Its text.

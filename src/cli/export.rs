@@ -59,7 +59,8 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
                 args::Types::Arrays => export::Types::Arrays,
                 args::Types::Glam => export::Types::Glam,
             };
-            let style = export::RustStyle { types, layouts: !args.no_layouts, ..export::RustStyle::default() };
+            let style =
+                export::RustStyle { types, layouts: !args.no_layouts, ..export::RustStyle::default() };
             export::bindings(&shader, &style, &composer.templates)?.into_bytes()
         }
         None => export::export(&shader, target, &composer.templates)?,
