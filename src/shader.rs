@@ -183,7 +183,7 @@ impl Shader {
         let differs = |word: &usize| bytes.get(*word..word + WORD) != new.get(*word..word + WORD);
         let mut words = (0..new.len()).step_by(WORD).filter(differs);
         let first = words.next();
-        let last = words.last().or(first);
+        let last = words.next_back().or(first);
         let changed = first.zip(last).map_or(0..0, |(first, last)| first..last + WORD);
         *bytes = new;
         Ok(changed)

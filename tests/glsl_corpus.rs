@@ -124,7 +124,6 @@ fn judge(name: &str, texts: &[(String, String)], at_least: usize) {
                 .extend(why.map(|why| format!("{name}{}:\n{why}", entry.map_or("", |_| ", every function"))));
         }
     }
-    println!("{written} GLSL files of {} texts", texts.len());
     assert!(wrong.is_empty(), "{} are wrong:\n\n{}", wrong.len(), wrong.join("\n\n"));
     assert!(written >= at_least, "{written} files were written, and at least {at_least} should be");
 }

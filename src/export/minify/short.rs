@@ -181,7 +181,7 @@ fn variables(
                 let is_free = |number: &usize| {
                     let mut all = global.functions.iter();
                     !of_globals.has(*number)
-                        && !(global.is_type && of_locals.has(*number))
+                        && (!global.is_type || !of_locals.has(*number))
                         && all.all(|one| functions[*one as usize].is_free(*number))
                 };
                 let number = (of_globals.first_missing()..).find(is_free).unwrap_or_default();

@@ -98,8 +98,8 @@ impl<'a> Iterator for Pieces<'a> {
                 (None, first.len_utf8())
             } else if rest.starts_with("//") {
                 (None, line(rest))
-            } else if rest.starts_with("/*") {
-                (None, rest[2..].find("*/").map_or(rest.len(), |at| at + 4))
+            } else if let Some(inside) = rest.strip_prefix("/*") {
+                (None, inside.find("*/").map_or(rest.len(), |at| at + 4))
             } else if first == '#' && self.line_start {
                 (Some(Kind::Directive), line(rest))
             } else if first.is_ascii_digit()

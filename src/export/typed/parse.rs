@@ -228,7 +228,7 @@ impl<'a> Parser<'a> {
 
     fn fields(&mut self, end: TokenKind, parameters: bool) -> Parsed<Vec<Field>> {
         let mut fields = Vec::new();
-        while !matches!(self.kind(), None) && self.kind() != Some(end) {
+        while self.kind().is_some_and(|kind| kind != end) {
             let attributes = self.attributes()?;
             let name = self.expect(TokenKind::Ident, "this declaration")?;
             self.expect(TokenKind::Colon, "this declaration")?;
