@@ -28,12 +28,16 @@ mod shader;
 pub mod source;
 pub mod syntax;
 mod template;
+#[cfg(feature = "watch")]
+pub mod watch;
 
 pub use bake::{Bake, Interface};
 pub use compose::Prefix;
 pub use diagnostic::{Diagnostic, Error};
 pub use module::Module;
 pub use preset::Preset;
+#[cfg(feature = "render")]
+pub use render::sample;
 pub use shader::{Compose, Shader, compose};
 pub use source::{Library, Templates};
 

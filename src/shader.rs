@@ -40,7 +40,7 @@ pub struct Compose {
     pub keep_unused: bool,
     /// What the result looks like.
     pub templates: Templates,
-    /// A fragment to be put in beside the scene; the scene gets no entry point then.
+    /// A fragment to be put in beside the scene; the scene has no entry point then, not even its own.
     pub(crate) beside: Option<Source>,
     cache: Cache,
 }
@@ -116,6 +116,12 @@ pub struct Shader {
 }
 
 impl Shader {
+    /// The same shader in another text.
+    #[cfg(feature = "check")]
+    pub(crate) fn with(&self, baked: Baked) -> Result<Self, Error> {
+        Ok(Self { baked: check::check(baked)?, declarations: self.declarations.clone() })
+    }
+
     /// Its text.
     pub fn wgsl(&self) -> &str {
         &self.baked().text
@@ -177,7 +183,7 @@ impl Shader {
         let differs = |word: &usize| bytes.get(*word..word + WORD) != new.get(*word..word + WORD);
         let mut words = (0..new.len()).step_by(WORD).filter(differs);
         let first = words.next();
-        let last = words.last().or(first);
+        let last = words.next_back().or(first);
         let changed = first.zip(last).map_or(0..0, |(first, last)| first..last + WORD);
         *bytes = new;
         Ok(changed)

@@ -52,6 +52,9 @@ fn what_a_target_lacks_is_told_at_its_place() {
     let storage = "@group(1) @binding(0) var<storage> a: array<vec4f>;\n\n".to_owned() + &in_main("a[0].x");
     expect("naga-cannot-write-it", refused(&storage, Target::Glsl, None));
     expect("no-such-target", "glls".parse::<Target>().expect_err("there is none"));
+    expect("cannot-be-minified", ExportError::NotMinified { target: Target::Msl });
+    let why = "no definition in scope for identifier: `a`".into();
+    expect("minified-is-not-valid", ExportError::Minifier { why });
     expect("no-such-stage", Target::Glsl.stage(Some(Stage::Compute)).expect_err("there is none"));
 }
 

@@ -31,7 +31,8 @@ fn main() -> ExitCode {
         .cloned()
         .map(|file| Trial::test(name(&file).replace('-', "_"), move || compiles(&file).map_err(Failed::from)))
         .collect();
-    trials.push(Trial::test("every_file_draws_the_same_in_webgl2", move || same(&files).map_err(Failed::from)));
+    trials
+        .push(Trial::test("every_file_draws_the_same_in_webgl2", move || same(&files).map_err(Failed::from)));
     libtest_mimic::run(&arguments, trials).exit_code()
 }
 
@@ -93,12 +94,14 @@ fn in_browser(shaders: &Path, drawn: &Path) -> Result<(), String> {
     let mut node = Command::new("node");
     let size = format!("{SIDE}x{SIDE}");
     let output = node.arg("tests/judges/matrix.mjs").args([shaders, drawn]).arg(size).output();
-    let output =
-        output.map_err(|why| format!("`node` cannot be run ({why}): `cargo xtask test` installs what this needs"))?;
+    let output = output.map_err(|why| {
+        format!("`node` cannot be run ({why}): `cargo xtask test` installs what this needs")
+    })?;
     if fs::read_dir(drawn).unwrap().next().is_some() {
         return Ok(());
     }
-    let said = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    let said =
+        String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     Err(format!("the browser drew nothing; `cargo xtask test` installs what this needs:\n{said}"))
 }
 
@@ -110,7 +113,8 @@ fn compare(device: &Device, file: &Path, drawn: &Path) -> Result<(), String> {
     if let Ok(said) = fs::read_to_string(refused) {
         return Err(format!("the browser refuses it: {said}"));
     }
-    let bytes = fs::read(drawn.join(format!("{}.bin", name(file)))).map_err(|_| "the browser did not draw it")?;
+    let bytes =
+        fs::read(drawn.join(format!("{}.bin", name(file)))).map_err(|_| "the browser did not draw it")?;
     let found = grid::pixels(&bytes);
     let module = naga::front::wgsl::parse_str(&text).map_err(|error| error.emit_to_string(&text))?;
     let channels = Channels::of(&module)?;
@@ -121,9 +125,10 @@ fn compare(device: &Device, file: &Path, drawn: &Path) -> Result<(), String> {
     if expected.iter().all(|pixel| pixel == &expected[0]) {
         return Err("every pixel is the same: this proves little".into());
     }
-    let mut differing = expected.iter().zip(&found).enumerate().filter(|(_, (expected, found))| {
-        !(0..4).all(|i| tolerance.allows(channels, expected[i], found[i]))
-    });
+    let mut differing =
+        expected.iter().zip(&found).enumerate().filter(|(_, (expected, found))| {
+            !(0..4).all(|i| tolerance.allows(channels, expected[i], found[i]))
+        });
     let Some((index, (expected, found))) = differing.next() else { return Ok(()) };
     let (x, y) = (index as u32 % SIDE, index as u32 / SIDE);
     Err(format!(

@@ -1,8 +1,5 @@
 //! All WGSL that lies around, also what was never meant for a fragment shader: each file either becomes GLSL that glslang
 //! accepts, or is refused with a code and a place. Nothing panics, and nothing invalid is written.
-//!
-//! The files of the dependency tree are read where cargo keeps them; none of them is copied here. With `CORPUS=FOLDER` in the
-//! environment, those of that folder are judged as well.
 
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
@@ -10,15 +7,15 @@ mod harness;
 
 use std::fmt::Write as _;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use harness::corpus::{Numbers, edited, of_our_tests, texts, tree};
 use harness::glsl::{composed, folder, glslang};
 use naga::{Module, Scalar, ScalarKind, TypeInner};
 use orogen::export::{Target, export_entry};
 use orogen::source::preset_names;
-use orogen::syntax::lex;
 use orogen::{Bake, Error, Preset, Templates};
 
 /// What becomes of one text.
@@ -123,57 +120,23 @@ fn judge(name: &str, texts: &[(String, String)], at_least: usize) {
                     glslang(&path).err()
                 }
             };
-            wrong.extend(why.map(|why| format!("{name}{}:\n{why}", entry.map_or("", |_| ", every function"))));
+            wrong
+                .extend(why.map(|why| format!("{name}{}:\n{why}", entry.map_or("", |_| ", every function"))));
         }
     }
-    println!("{written} GLSL files of {} texts", texts.len());
     assert!(wrong.is_empty(), "{} are wrong:\n\n{}", wrong.len(), wrong.join("\n\n"));
     assert!(written >= at_least, "{written} files were written, and at least {at_least} should be");
 }
 
-/// The `.wgsl` files in `root` and the folders in it.
-fn wgsl_in(root: &Path, found: &mut Vec<PathBuf>) {
-    for entry in fs::read_dir(root).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            wgsl_in(&path, found);
-        } else if path.extension().is_some_and(|extension| extension == "wgsl") {
-            found.push(path);
-        }
-    }
-}
-
-fn texts(root: &Path) -> Vec<(String, String)> {
-    let mut paths = Vec::new();
-    wgsl_in(root, &mut paths);
-    paths.sort();
-    // What is no UTF-8 is no WGSL.
-    let read = |path: PathBuf| Some((path.display().to_string(), fs::read_to_string(&path).ok()?));
-    paths.into_iter().filter_map(read).collect()
-}
-
 #[test]
 fn wgsl_of_the_dependency_tree_becomes_glsl_or_is_refused() {
-    let metadata = Command::new(env!("CARGO")).args(["metadata", "--format-version", "1", "--locked"]).output();
-    let metadata: serde_json::Value = serde_json::from_slice(&metadata.unwrap().stdout).unwrap();
-    let mut all = Vec::new();
-    for package in metadata["packages"].as_array().unwrap() {
-        let manifest = Path::new(package["manifest_path"].as_str().unwrap());
-        if !package["source"].is_null() {
-            all.extend(texts(manifest.parent().unwrap()));
-        }
-    }
-    all.extend(std::env::var_os("CORPUS").into_iter().flat_map(|folder| texts(Path::new(&folder))));
-    let named = |package: &str| all.iter().any(|(name, _)| name.contains(package));
-    assert!(named("naga-30") && named("wgpu-core-30"), "cargo's folder of packages was not found");
+    let all = tree();
     judge("glsl-tree", &all, 3);
 }
 
 #[test]
 fn wgsl_of_our_tests_becomes_glsl_or_is_refused() {
-    let mut all = texts(Path::new("tests/export/passthrough"));
-    all.extend(texts(Path::new("tests/compose")).into_iter().filter(|(name, _)| name.ends_with("expected.wgsl")));
-    judge("glsl-tests", &all, 40);
+    judge("glsl-tests", &of_our_tests(), 40);
 }
 
 #[test]
@@ -190,37 +153,6 @@ fn wgsl_of_every_preset_becomes_glsl_with_all_its_functions() {
 fn every_function_of_the_matrix_becomes_glsl() {
     let all = texts(Path::new("tests/glsl"));
     judge("glsl-matrix", &all, all.len());
-}
-
-/// A generator of numbers (SplitMix64): the same edits on every run.
-struct Numbers(u64);
-
-impl Numbers {
-    fn below(&mut self, end: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % end as u64) as usize
-    }
-}
-
-/// `text` with one token removed, doubled, exchanged with another, or replaced by another.
-fn edited(text: &str, numbers: &mut Numbers) -> String {
-    let tokens = lex(text);
-    let mut words: Vec<&str> = tokens.iter().map(|(_, span)| &text[span.range()]).collect();
-    let solid: Vec<usize> = (0..tokens.len()).filter(|at| !tokens.kind(*at).is_trivia()).collect();
-    if solid.is_empty() {
-        return text.to_owned();
-    }
-    let (a, b) = (solid[numbers.below(solid.len())], solid[numbers.below(solid.len())]);
-    match numbers.below(4) {
-        0 => drop(words.remove(a)),
-        1 => words.insert(a, words[a]),
-        2 => words.swap(a, b),
-        _ => words[a] = words[b],
-    }
-    words.concat()
 }
 
 /// So many edits of each file; with `CASES=20` in the environment, twenty times as many.

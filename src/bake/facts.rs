@@ -41,6 +41,12 @@ impl Facts {
             licences: licences(composition),
         }
     }
+
+    /// The licence that most files are under.
+    pub(crate) fn main_licence(&self) -> &str {
+        let most = self.licences.iter().max_by_key(|entry| entry.files.len());
+        most.map_or("", |entry| &entry.licence)
+    }
 }
 
 /// Each file once, however many instances there are of it.

@@ -8,6 +8,7 @@ const ALL_AROUND: &str = "\
 Examples:
   orogen render alpine --set sun.elevation=6 --samples 8 -o dusk.png
   orogen render alpine --frames 48 --fps 24 -o clouds.png               clouds_0001.png and 47 more
+  orogen render world.json -I shaders --watch -o world.png              anew on every save of any of its files
   orogen render alpine --projection equirectangular -o panorama.jpg     all around, 2:1
   orogen render alpine --projection cube -o sky.exr                     a skybox in linear light
   orogen render alpine --projection cube --faces -o sky.png             sky_px.png, sky_nx.png, …
@@ -31,6 +32,7 @@ Examples:
   orogen export alpine --target shadertoy -o alpine.glsl
   orogen render alpine --set sun.elevation=6 -o dusk.png
   orogen render alpine --view steps -o steps.png       a debug view: `orogen list views` names them
+  orogen heightmap alpine -o land.r16                  its land, for an engine's own terrain
   orogen params alpine                                 what can be set, and to what
   orogen export alpine --live 'sun.*' --target json    where a host finds the live parameters
   orogen export '<sky/atmosphere.wgsl>' --prefix og_   a module to paste into a shader of yours
@@ -51,7 +53,7 @@ pub(super) struct Arguments {
     pub(super) command: Command,
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 pub(super) struct Common {
     /// Lay a folder of fragments over the library (repeatable; the last one wins)
     #[arg(short = 'I', id = "folders", value_name = "DIR", global = true)]
@@ -81,9 +83,11 @@ pub(super) enum Command {
     List(List),
     /// Evaluate a WGSL expression on the GPU, CSV out
     Eval(Eval),
+    /// Write the heights of a preset's land: tiles for an engine's own terrain
+    Heightmap(Heightmap),
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 pub(super) struct Baking {
     /// Keep these parameters live, in a uniform buffer: 'sun.*,clouds.coverage', a group, or 'default' for those
     /// declared `live`; wins over --overrides
@@ -94,7 +98,7 @@ pub(super) struct Baking {
     pub(super) overrides: Vec<String>,
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 pub(super) struct Viewing {
     /// A debug view in the place of the picture: steps, normals, …; `orogen list views` names them all
     #[arg(long, value_name = "NAME")]
@@ -116,6 +120,10 @@ pub(super) struct Export {
     pub(super) stage: Option<Stage>,
     #[command(flatten)]
     pub(super) baking: Baking,
+    /// Write it in fewer bytes: short names, no comments, no blank space, one line with the licences (wgsl, glsl and
+    /// shadertoy). Entry points, overrides, bindings and live parameters keep their names
+    #[arg(long)]
+    pub(super) minify: bool,
     /// A fragment of the library in the place of the preset's picture, on its own, with the preset's values:
     /// terrain/height.wgsl
     #[arg(long, value_name = "PATH", conflicts_with = "view")]
@@ -200,7 +208,7 @@ pub(super) enum MessageFormat {
     Json,
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 #[command(after_long_help = ALL_AROUND, after_help = "--help says more, with examples: panoramas, skyboxes for Bevy and three.js.")]
 pub(super) struct Render {
     /// Built-in preset, .json file or .wgsl file
@@ -235,6 +243,10 @@ pub(super) struct Render {
     pub(super) fps: f32,
     #[command(flatten)]
     pub(super) baking: Baking,
+    /// Stay, and draw again whenever the preset, one that it extends, or a fragment of it on disk is saved; what is wrong
+    /// is said, and the picture stays as it was; Ctrl-C ends it
+    #[arg(long)]
+    pub(super) watch: bool,
     /// Part of the GPU adapter's name; WGPU_ADAPTER_NAME does the same
     #[arg(long, value_name = "NAME")]
     pub(super) adapter: Option<String>,
@@ -323,6 +335,89 @@ pub(super) struct Eval {
     /// Part of the GPU adapter's name; WGPU_ADAPTER_NAME does the same
     #[arg(long, value_name = "NAME")]
     pub(super) adapter: Option<String>,
+}
+
+const TILES: &str = "\
+Examples:
+  orogen heightmap alpine -o land.png                                   2048 m around the origin, every 2 m
+  orogen heightmap alpine --origin -9570,-6988 --size 1024 --pixels 513 -o a.r16
+  orogen heightmap alpine --origin -8546,-6988 --size 1024 --pixels 513 -o b.r16     its eastern neighbour
+  orogen heightmap alpine --size 30000 --pixels 1025 --footprint 29 -o far.exr       far land, not aliased
+
+The samples reach from edge to edge: SIZE / (N - 1) apart, and the last column of a tile is the first of its
+eastern neighbour, bit for bit, in every format. So with tiles of 1024 m the next one's origin is 1024 m further.
+Rows run from north to south (z), each from west to east (x); the origin is the north-western sample.
+
+What 16 bits mean is the same for all tiles of a preset: the heights that its land can have anywhere, unless
+--range says otherwise. In an engine: height = LOW + value / 65535 * (HIGH - LOW).
+  Unreal    .r16 or .png, N = 1009, 2017, 4033; scale Z = 100 * (HIGH - LOW) / 512
+  Unity     .r16 as RAW, 16 bit, Windows byte order, N = 513, 1025, 2049; terrain height = HIGH - LOW
+  Godot     .exr, 32-bit float, as it is
+FILE.json, written beside, has range, origin, spacing, and the lowest and highest height of the tile.";
+
+#[derive(Args)]
+#[command(after_long_help = TILES, after_help = "--help says more: how tiles fit together, and what engines want.")]
+pub(super) struct Heightmap {
+    /// Built-in preset, .json file or .wgsl file
+    #[arg(value_name = "PRESET|FILE")]
+    pub(super) preset: String,
+    /// The north-western sample: metres east and south of the world's origin, to the millimetre
+    #[arg(long, value_name = "X,Z", default_value = "0,0", allow_hyphen_values = true, value_parser = place)]
+    pub(super) origin: [i64; 2],
+    /// From the first sample to the last, each way, in metres, to the millimetre
+    #[arg(long, value_name = "M", default_value = "2048", value_parser = width)]
+    pub(super) size: u64,
+    /// Samples each way, 2 to 16385
+    #[arg(long, value_name = "N", default_value_t = 1025)]
+    pub(super) pixels: u32,
+    /// Leave out what is too small to be seen in a pixel this wide, in metres; 0 is the land as meshes stand on it
+    #[arg(long, value_name = "M", default_value_t = 0.0)]
+    pub(super) footprint: f32,
+    /// Heights of black and white in 16-bit files, in metres; those that the preset's land can have, unless told
+    #[arg(long, value_name = "LOW,HIGH", allow_hyphen_values = true, value_parser = range)]
+    pub(super) range: Option<[f32; 2]>,
+    /// Part of the GPU adapter's name; WGPU_ADAPTER_NAME does the same
+    #[arg(long, value_name = "NAME")]
+    pub(super) adapter: Option<String>,
+    /// Where to write: .png (16-bit grey), .r16 or .raw (16-bit little-endian, no header) or .exr (32-bit float, metres);
+    /// NAME_height.png unless told
+    #[arg(short, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}
+
+/// `-9570,-6988.5` in mm.
+fn place(text: &str) -> Result<[i64; 2], String> {
+    let (x, z) = text.split_once(',').ok_or("write east and south, as in -9570,-6988.5")?;
+    Ok([millimetres(x)?, millimetres(z)?])
+}
+
+fn width(text: &str) -> Result<u64, String> {
+    let wrong = "write metres above 0, as in 2048";
+    millimetres(text)?.try_into().ok().filter(|width| *width > 0).ok_or_else(|| wrong.into())
+}
+
+/// Metres with at most three decimals → whole millimetres: what was written, and nothing rounded.
+fn millimetres(text: &str) -> Result<i64, String> {
+    let wrong = || format!("`{text}` is no number of metres with at most three decimals");
+    let (sign, digits) = match text.trim().strip_prefix('-') {
+        Some(digits) => (-1, digits),
+        None => (1, text.trim()),
+    };
+    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let is_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    if !(is_digits(whole) && is_digits(part)) || part.len() > 3 || whole.len() + part.len() == 0 {
+        return Err(wrong());
+    }
+    let number = format!("{whole}{part:0<3}").parse::<i64>().map_err(|_| wrong())?;
+    Ok(sign * number)
+}
+
+fn range(text: &str) -> Result<[f32; 2], String> {
+    let wrong = "write the heights of black and white, as in -200,3000";
+    let (low, high) = text.split_once(',').ok_or(wrong)?;
+    let number = |text: &str| text.trim().parse().ok().filter(|value: &f32| value.is_finite());
+    let range = number(low).zip(number(high)).filter(|(low, high)| low < high);
+    range.map(|(low, high)| [low, high]).ok_or_else(|| wrong.into())
 }
 
 fn size(text: &str) -> Result<(u32, u32), String> {

@@ -32,6 +32,12 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     if to_stdout && target == export::Target::Spirv && std::io::stdout().is_terminal() {
         return Err(Failure::Usage("SPIR-V is binary: write it to a file with `-o FILE`".into()));
     }
+    if args.minify && !target.is_minified() {
+        let error = orogen::Error::from(export::ExportError::NotMinified { target });
+        let told = &error.diagnostics()[0];
+        let help = told.help.as_deref().unwrap_or_default();
+        return Err(Failure::Usage(format!("{}: {help}", told.message)));
+    }
     let library = input::library(common)?;
     let preset = input::preset(&args.preset, common)?;
     let mut composer = input::composer(common)?;
@@ -45,24 +51,29 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     let (group, binding) = args.binding;
     let bake = input::bake(&args.baking).at_binding(group, binding);
     let shader = composer.run(&library, &preset, &target.bake(bake))?;
-    let bytes = if target == export::Target::Rust {
-        let types = match args.types {
-            args::Types::Arrays => export::Types::Arrays,
-            args::Types::Glam => export::Types::Glam,
-        };
-        let style = export::RustStyle { types, layouts: !args.no_layouts, ..export::RustStyle::default() };
-        export::bindings(&shader, &style, &composer.templates)?.into_bytes()
-    } else {
-        export::export(&shader, target, &composer.templates)?
+    let minified = if args.minify { Some(export::minify(&shader, &composer.templates)?) } else { None };
+    let bytes = match &minified {
+        Some(minified) => minified.export(target, None, &composer.templates)?,
+        None if target == export::Target::Rust => {
+            let types = match args.types {
+                args::Types::Arrays => export::Types::Arrays,
+                args::Types::Glam => export::Types::Glam,
+            };
+            let style =
+                export::RustStyle { types, layouts: !args.no_layouts, ..export::RustStyle::default() };
+            export::bindings(&shader, &style, &composer.templates)?.into_bytes()
+        }
+        None => export::export(&shader, target, &composer.templates)?,
     };
+    let shader = minified.as_ref().map_or(&shader, export::Minified::shader);
     if !args.baking.overrides.is_empty() && !common.quiet && !has_overrides(target) {
         output::complain(&format!(
             "note: {target} has no pipeline overrides: those parameters are constants\n"
         ));
     }
-    made_of::spare(&shader, &args.output)?;
+    made_of::spare(shader, &args.output)?;
     if args.source_map {
-        write_with_map(&args.output, &bytes, &shader)
+        write_with_map(&args.output, &bytes, shader)
     } else {
         output::write(&args.output, &bytes)
     }

@@ -5,6 +5,7 @@ mod check;
 mod eval;
 mod export;
 mod failure;
+mod heightmap;
 mod include;
 mod input;
 mod list;
@@ -33,6 +34,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Params(args) => params::run(&args, &common),
         Command::List(args) => list::run(&args, &common),
         Command::Eval(args) => eval::run(&args, &common),
+        Command::Heightmap(args) => heightmap::run(&args, &common),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -94,6 +94,7 @@ pub struct OpenSlot {
 }
 
 /// Everything that the result is made of.
+#[derive(Clone)]
 pub struct Composition {
     /// The preset's name.
     pub name: String,
@@ -113,7 +114,7 @@ pub struct Composition {
     pub parts: Vec<Part>,
     /// What every name of module scope starts with in the result.
     pub prefix: Prefix,
-    graph: Graph,
+    graph: Arc<Graph>,
 }
 
 impl Composition {
@@ -143,7 +144,7 @@ pub struct Request<'a> {
     pub prefix: Prefix,
     /// The entry point of a scene that has `main_image` and no entry point of its own.
     pub wrapper: Option<Source>,
-    /// A fragment that is put in beside the scene.
+    /// A fragment that is put in beside the scene: its entry points are the only ones.
     pub beside: Option<Source>,
     /// Keep declarations that no entry point reaches.
     pub keep_unused: bool,
@@ -200,7 +201,7 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         wrapper_root = Some(graph.add_root(wrapper.clone(), library, cache, &mut files, &mut errors));
     }
     if let Some(beside) = &request.beside {
-        graph.add_root(beside.clone(), library, cache, &mut files, &mut errors);
+        graph.only_from = Some(graph.add_root(beside.clone(), library, cache, &mut files, &mut errors));
     }
     if let Some(scene) = aside {
         graph.add_aside(scene, library, cache, &mut files, &mut errors);
@@ -366,7 +367,7 @@ pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> R
         hoisted,
         parts: result,
         prefix: request.prefix.clone(),
-        graph: survey.graph,
+        graph: Arc::new(survey.graph),
     })
 }
 

@@ -105,6 +105,7 @@ fn roots(names: &Names<'_>, keep_all: bool, only: &[String], errors: &mut Vec<Co
     for instance in names.order {
         let Some(active) = &names.active[*instance] else { continue };
         let is_root = names.graph.roots.contains(instance);
+        let is_entered = is_root && names.graph.only_from.is_none_or(|root| root == *instance);
         for (index, declaration) in active.module.declarations.iter().enumerate() {
             let global = Global { instance: *instance as u32, declaration: index as u32 };
             if keep_all {
@@ -115,7 +116,7 @@ fn roots(names: &Names<'_>, keep_all: bool, only: &[String], errors: &mut Vec<Co
                 // What holds for the whole module, and what only naga can say something about.
                 DeclarationKind::ConstAssert | DeclarationKind::Other => always.push(global),
                 DeclarationKind::Enable | DeclarationKind::Requires | DeclarationKind::Diagnostic => {}
-                _ if is_root && declaration.stage.is_some() => entries.push(global),
+                _ if is_entered && declaration.stage.is_some() => entries.push(global),
                 _ if is_root => own.push(global),
                 _ => {}
             }

@@ -92,6 +92,18 @@ pub enum ExportError {
         /// What it said.
         why: String,
     },
+    /// `OR0820`
+    #[error("the target `{target}` cannot be minified")]
+    NotMinified {
+        /// The target.
+        target: Target,
+    },
+    /// `OR0821`
+    #[error("the minified shader is not valid")]
+    Minifier {
+        /// What the check says.
+        why: String,
+    },
 }
 
 /// Told without a place.
@@ -147,6 +159,13 @@ impl ExportError {
             E::Binding { .. } => {
                 d("OR0808").help(Some("leave buffers, textures and samplers out of what `main_image` calls".into()))
             }
+            E::NotMinified { .. } => {
+                let names = Target::ALL.into_iter().filter(|target| target.is_minified()).map(Target::name);
+                d("OR0820").help(Some(format!("leave `--minify` out, or choose {}", choices(names))))
+            }
+            E::Minifier { why } => d("OR0821").note(why.clone()).help(Some(
+                "this is a fault of Orogen: export without `--minify`, and report the shader".into(),
+            )),
             E::Overrides { why } => d("OR0809").note(why.clone()).help(Some(
                 "give every `override` a default: `override name: f32 = 1.0;`".into(),
             )),

@@ -12,6 +12,8 @@ mod glsl;
 mod header;
 #[cfg(feature = "check")]
 mod json;
+#[cfg(feature = "check")]
+mod minify;
 mod rust;
 mod source_map;
 mod target;
@@ -22,6 +24,8 @@ mod typed;
 pub use error::ExportError;
 #[cfg(feature = "check")]
 pub use glsl::Glsl;
+#[cfg(feature = "check")]
+pub use minify::{Minified, minify, minify_text};
 pub use rust::{RustStyle, Types, bindings};
 pub use source_map::source_map;
 pub use target::Stage;

@@ -93,6 +93,11 @@ impl Target {
         }
     }
 
+    /// Whether its files can be minified: those that are text which others compile.
+    pub fn is_minified(self) -> bool {
+        matches!(self, Self::Wgsl | Self::Shadertoy | Self::Glsl)
+    }
+
     /// How parameters are to be baked: on Shadertoy, live ones are global variables, since no host sets uniforms there. In
     /// GLSL the group `frame` is uniforms of their own, beside the buffer of the live ones.
     #[must_use]

@@ -262,7 +262,8 @@ impl Reader {
     }
 
     fn level(&mut self, shown: &str, text: Arc<str>, path: Option<&Path>) -> Level {
-        let file = self.files.add(shown, text.clone());
+        let on_disk = path.and_then(source::real_path).map(Into::into);
+        let file = self.files.add_read(shown, text.clone(), on_disk);
         let mut level = Level { about: None, scene: None, settings: Vec::new(), extends: None };
         let root = match json::parse(&text) {
             Ok(root) => root,

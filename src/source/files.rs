@@ -16,6 +16,8 @@ pub struct File {
     pub name: Arc<str>,
     /// All of it.
     pub text: Arc<str>,
+    /// The file on disk that it was read from, without links; none of what came from elsewhere.
+    pub path: Option<Arc<Path>>,
     line_starts: OnceLock<Arc<[u32]>>,
 }
 
@@ -37,8 +39,18 @@ pub struct Place {
 impl Files {
     /// Takes a text in and numbers it.
     pub fn add(&mut self, name: impl Into<Arc<str>>, text: impl Into<Arc<str>>) -> FileId {
+        self.add_read(name, text, None)
+    }
+
+    /// As [`Files::add`], of a text that was read from the file at `path`, if it was.
+    pub(crate) fn add_read(
+        &mut self,
+        name: impl Into<Arc<str>>,
+        text: impl Into<Arc<str>>,
+        path: Option<Arc<Path>>,
+    ) -> FileId {
         let id = FileId(self.files.len() as u32);
-        self.files.push(File { name: name.into(), text: text.into(), line_starts: OnceLock::new() });
+        self.files.push(File { name: name.into(), text: text.into(), path, line_starts: OnceLock::new() });
         id
     }
 

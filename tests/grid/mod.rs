@@ -26,7 +26,8 @@ impl Channels {
     /// Those of the colour at location 0 that the fragment entry point returns.
     pub(crate) fn of(module: &naga::Module) -> Result<Self, String> {
         let entry = module.entry_points.iter().find(|one| one.stage == naga::ShaderStage::Fragment);
-        let result = entry.and_then(|entry| entry.function.result.as_ref()).ok_or("there is no fragment output")?;
+        let result =
+            entry.and_then(|entry| entry.function.result.as_ref()).ok_or("there is no fragment output")?;
         let mut inner = &module.types[result.ty].inner;
         if let naga::TypeInner::Struct { members, .. } = inner {
             inner = &module.types[members[0].ty].inner;

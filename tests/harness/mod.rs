@@ -24,6 +24,7 @@
 #![allow(dead_code, reason = "each test binary uses its part")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+pub(crate) mod corpus;
 pub(crate) mod glsl;
 
 use std::fs;

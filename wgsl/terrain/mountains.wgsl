@@ -211,8 +211,8 @@ fn mountains_erosion(p: vec2f, lie: Jet2, octaves: f32) -> vec3f {
 }
 #endif
 
-/// A height (m) that the mountains nowhere exceed.
-fn mountains_ceiling() -> f32 {
+/// The lowest and the highest height (m) that the mountains can have.
+fn mountains_bounds() -> vec2f {
 #if terrain.rough
     let octaves = terrain.forms;
     let rough = terrain.detail * relief_fbm_bound(16.0, 0.58);
@@ -221,20 +221,26 @@ fn mountains_ceiling() -> f32 {
     let rough = 0.0;
 #endif
 #if terrain.relief == ridged
-    let forms = ranges_ridged_bound(octaves, terrain.gain).y;
+    let forms = ranges_ridged_bound(octaves, terrain.gain);
 #elif terrain.relief == hybrid
-    let forms = 0.4 * worn_hybrid_bound(octaves, terrain.gain, 0.7).y;
+    let forms = 0.4 * worn_hybrid_bound(octaves, terrain.gain, 0.7);
 #elif terrain.relief == billow
-    let forms = mounds_billow_bound(octaves, terrain.gain).y;
+    let forms = mounds_billow_bound(octaves, terrain.gain);
 #else
-    let forms = 0.5 + 0.5 * relief_fbm_bound(octaves, terrain.gain);
+    let forms = vec2f(0.5) + vec2f(-0.5, 0.5) * relief_fbm_bound(octaves, terrain.gain);
 #endif
-    var ceiling = terrain.peak_height * forms + rough;
+    // On the plains of a wide map less is left of the forms, down to nothing.
+    var bounds = vec2f(min(terrain.peak_height * forms.x, 0.0) - rough, terrain.peak_height * forms.y + rough);
 #if terrain.dual
-    ceiling += 1.2 * terrain.uplift;
+    bounds += vec2f(-0.2, 1.2) * terrain.uplift;
 #endif
 #if terrain.eroded
-    ceiling += 0.5 * terrain.gully_depth;
+    bounds += vec2f(-0.5, 0.5) * terrain.gully_depth;
 #endif
-    return ceiling;
+    return bounds;
+}
+
+/// A height (m) that the mountains nowhere exceed.
+fn mountains_ceiling() -> f32 {
+    return mountains_bounds().y;
 }

@@ -51,6 +51,16 @@ pub(crate) fn of_preset(preset: &str) -> Vec<Case> {
         cases.push(case(Judge::SpirvVal, &format!("{baking}.spv"), &[&["--target", "spirv"], flags]));
     }
     cases.push(case(Judge::GlslangInShadertoy, "shadertoy.frag", &[&["--target", "shadertoy"]]));
+    const MINIFY: &[&str] = &["--minify"];
+    for (baking, flags) in [CONST, OVERRIDE, UNIFORM] {
+        cases.push(case(Judge::Tint, &format!("minified.{baking}.wgsl"), &[MINIFY, flags]));
+    }
+    cases.push(case(Judge::Glslang, "minified.frag", &[MINIFY, &["--target", "glsl"]]));
+    cases.push(case(
+        Judge::GlslangInShadertoy,
+        "minified.shadertoy.frag",
+        &[MINIFY, &["--target", "shadertoy"]],
+    ));
     cases
 }
 

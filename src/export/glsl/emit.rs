@@ -7,7 +7,9 @@ use super::names::Names;
 use super::order::{Step, order, reached};
 use super::values;
 use super::write::{Refusal, Writer, Written};
-use crate::export::typed::{Decl, DeclKind, ExprKind, Meaning, Statement, StatementKind, Tok, Ty, Typed, parse, type_check};
+use crate::export::typed::{
+    Decl, DeclKind, ExprKind, Meaning, Statement, StatementKind, Tok, Ty, Typed, parse, type_check,
+};
 use crate::syntax::{TokenKind, is_line_break};
 
 /// What is to be written, and into what it goes.
@@ -45,17 +47,6 @@ pub(super) struct Emitted {
     pub(super) interface: super::entry::Interface,
     /// Names of the variables of `instead` that are read.
     pub(super) read: Vec<String>,
-    /// A piece each: which declaration, and where its text ends. For those who split a file.
-    pub(super) pieces: Vec<Piece>,
-}
-
-/// The text of one declaration.
-#[derive(Debug)]
-pub(super) struct Piece {
-    /// Where it ends in the file.
-    pub(super) end: usize,
-    /// Whether it reads what only the host's own function may, or what does.
-    pub(super) is_bound: bool,
 }
 
 /// Writes what `request` asks for.
@@ -83,7 +74,6 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
         }
     }
     let steps = order(&typed, &wanted);
-    let bound = bound(&typed, &instead);
     let mut writer = Writer {
         names: Names::new(declared(&typed).into_iter(), request.reserved),
         typed: &typed,
@@ -110,7 +100,6 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
         None => start,
     };
     let mut helpers_at = None;
-    let mut pieces = Vec::new();
     for step in steps {
         let (index, end) = match step {
             Step::Write { index, .. } | Step::Rest(index) => (index, ends[index as usize]),
@@ -146,7 +135,6 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
                 writer.upto(end);
             }
         }
-        pieces.push(Piece { end: writer.out.len(), is_bound: bound[index as usize] });
     }
     writer.cursor = ends.last().copied().unwrap_or(start).max(start);
     let rest = typed.tree.tokens.len() as Tok;
@@ -156,9 +144,6 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
         let at = helpers_at.unwrap_or(0);
         let text = format!("\n\n// ---- what WGSL has and GLSL ES 3.00 lacks ----\n\n{}", helpers.trim_end());
         writer.out.insert_str(at, &text);
-        for piece in pieces.iter_mut().filter(|piece| piece.end > at || at == 0) {
-            piece.end += text.len();
-        }
     }
     let picture = picture.unwrap_or(entry);
     let interface = super::entry::interface(&mut writer, entry)?;
@@ -168,7 +153,6 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
         renamed: writer.names.changes(),
         interface,
         read,
-        pieces,
     })
 }
 
@@ -236,7 +220,8 @@ fn own_comments(typed: &Typed<'_>, from: Tok, decl: &Decl) -> Tok {
 /// The function that `entry` calls with its position and whose value it returns, if it does nothing else.
 fn only_calls(typed: &Typed<'_>, entry: u32) -> Option<u32> {
     let DeclKind::Function(function) = &typed.tree.declarations[entry as usize].kind else { return None };
-    let [Statement { kind: StatementKind::Return(Some(value)), .. }] = function.body.statements.as_slice() else {
+    let [Statement { kind: StatementKind::Return(Some(value)), .. }] = function.body.statements.as_slice()
+    else {
         return None;
     };
     let ExprKind::Call { callee, arguments } = &typed.tree.expr(*value).kind else { return None };
@@ -246,21 +231,5 @@ fn only_calls(typed: &Typed<'_>, entry: u32) -> Option<u32> {
     match typed.meaning(*callee) {
         Meaning::Global(index) if is_parameter => Some(index),
         _ => None,
-    }
-}
-
-/// Of each declaration, whether it reads a variable of `instead`, itself or through what it names.
-fn bound(typed: &Typed<'_>, instead: &FxHashMap<u32, String>) -> Vec<bool> {
-    let mut bound = vec![false; typed.references.len()];
-    loop {
-        let mut changed = false;
-        for (index, references) in typed.references.iter().enumerate() {
-            let is_bound = references.iter().any(|one| instead.contains_key(one) || bound[*one as usize]);
-            changed |= is_bound && !bound[index];
-            bound[index] |= is_bound;
-        }
-        if !changed {
-            return bound;
-        }
     }
 }

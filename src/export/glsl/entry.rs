@@ -21,7 +21,9 @@ pub(super) struct Interface {
 pub(super) fn interface(writer: &mut Writer<'_, '_>, entry: u32) -> Written<Interface> {
     let typed = writer.typed;
     let mut interface = Interface::default();
-    let DeclKind::Function(function) = &typed.tree.declarations[entry as usize].kind else { return Ok(interface) };
+    let DeclKind::Function(function) = &typed.tree.declarations[entry as usize].kind else {
+        return Ok(interface);
+    };
     for parameter in &function.parameters {
         let ty = typed.ty(parameter.ty);
         let argument = match ty {
@@ -78,7 +80,8 @@ fn input(writer: &mut Writer<'_, '_>, interface: &mut Interface, field: &Field) 
     let written = writer.type_of(ty, span)?;
     let base = writer.names.get(typed.tree.word(field.name)).to_owned();
     let name = writer.names.fresh_like(&format!("v_{base}"));
-    let is_flat = ty.scalar().is_some_and(Scalar::is_integer) || typed.tree.attribute(&field.attributes, "interpolate").is_some();
+    let is_flat = ty.scalar().is_some_and(Scalar::is_integer)
+        || typed.tree.attribute(&field.attributes, "interpolate").is_some();
     interface.declarations.push(format!("{}in {written} {name};", if is_flat { "flat " } else { "" }));
     Ok(Some(name))
 }
@@ -103,9 +106,14 @@ fn output(
     if typed.tree.attribute(attributes, "blend_src").is_some() {
         return writer.refuse("`@blend_src`", span);
     }
-    let location = typed.tree.attribute(attributes, "location").and_then(|location| typed.integer(*location.arguments.first()?));
+    let location = typed
+        .tree
+        .attribute(attributes, "location")
+        .and_then(|location| typed.integer(*location.arguments.first()?));
     let written = writer.type_of(typed.ty(ty), span)?;
     let name = writer.names.fresh_like(&format!("out_{name}"));
-    interface.declarations.push(format!("layout(location = {}) out {written} {name};", location.unwrap_or(0)));
+    interface
+        .declarations
+        .push(format!("layout(location = {}) out {written} {name};", location.unwrap_or(0)));
     Ok(name)
 }

@@ -69,11 +69,17 @@ struct Plain {
 const AB: &[(Part, &str)] = &[(Part::T, "a"), (Part::T, "b")];
 const X: &[(Part, &str)] = &[(Part::T, "x")];
 const SELECT: &[(Part, &str)] = &[(Part::T, "f"), (Part::T, "t"), (Part::Of(Kind::Bool), "c")];
-const EXTRACT: &[(Part, &str)] = &[(Part::T, "x"), (Part::One(Kind::Uint), "offset"), (Part::One(Kind::Uint), "count")];
+const EXTRACT: &[(Part, &str)] =
+    &[(Part::T, "x"), (Part::One(Kind::Uint), "offset"), (Part::One(Kind::Uint), "count")];
 const INSERT: &[(Part, &str)] =
     &[(Part::T, "x"), (Part::T, "bits"), (Part::One(Kind::Uint), "offset"), (Part::One(Kind::Uint), "count")];
 
-const fn plain(name: &'static str, kind: Kind, takes: &'static [(Part, &'static str)], body: &'static str) -> Plain {
+const fn plain(
+    name: &'static str,
+    kind: Kind,
+    takes: &'static [(Part, &'static str)],
+    body: &'static str,
+) -> Plain {
     Plain { name, kind, takes, gives: Part::T, body, uses: &[] }
 }
 
@@ -85,11 +91,20 @@ const fn as_uint(name: &'static str, body: &'static str, uses: &'static [(&'stat
 const PLAIN: [Plain; 32] = [
     plain("div", Kind::Int, AB, "return a / (b == 0 || (b == -1 && a == -2147483647 - 1) ? 1 : b);"),
     plain("div", Kind::Uint, AB, "return a / (b == 0u ? 1u : b);"),
-    Plain { uses: &[("div", Kind::Int)], ..plain("rem", Kind::Int, AB, "return a - wgsl_div(a, b) * (b == 0 ? 1 : b);") },
+    Plain {
+        uses: &[("div", Kind::Int)],
+        ..plain("rem", Kind::Int, AB, "return a - wgsl_div(a, b) * (b == 0 ? 1 : b);")
+    },
     plain("rem", Kind::Uint, AB, "return a % (b == 0u ? 1u : b);"),
     plain("rem", Kind::Float, AB, "return a - b * trunc(a / b);"),
-    Plain { gives: Part::Of(Kind::Int), ..plain("int", Kind::Float, X, "return int(clamp(x, -2147483648.0, 2147483520.0));") },
-    Plain { gives: Part::Of(Kind::Uint), ..plain("uint", Kind::Float, X, "return uint(clamp(x, 0.0, 4294967040.0));") },
+    Plain {
+        gives: Part::Of(Kind::Int),
+        ..plain("int", Kind::Float, X, "return int(clamp(x, -2147483648.0, 2147483520.0));")
+    },
+    Plain {
+        gives: Part::Of(Kind::Uint),
+        ..plain("uint", Kind::Float, X, "return uint(clamp(x, 0.0, 4294967040.0));")
+    },
     plain("select", Kind::Bool, SELECT, "return c ? t : f;"),
     plain("select", Kind::Int, SELECT, "return c ? t : f;"),
     plain("select", Kind::Uint, SELECT, "return c ? t : f;"),
@@ -130,12 +145,20 @@ const PLAIN: [Plain; 32] = [
     return wgsl_count_one_bits(~x);",
         )
     },
-    as_uint("count_leading_zeros", "return int(wgsl_count_leading_zeros(uint(x)));", &[("count_leading_zeros", Kind::Uint)]),
+    as_uint(
+        "count_leading_zeros",
+        "return int(wgsl_count_leading_zeros(uint(x)));",
+        &[("count_leading_zeros", Kind::Uint)],
+    ),
     Plain {
         uses: &[("count_one_bits", Kind::Uint)],
         ..plain("count_trailing_zeros", Kind::Uint, X, "return wgsl_count_one_bits(~x & (x - 1u));")
     },
-    as_uint("count_trailing_zeros", "return int(wgsl_count_trailing_zeros(uint(x)));", &[("count_trailing_zeros", Kind::Uint)]),
+    as_uint(
+        "count_trailing_zeros",
+        "return int(wgsl_count_trailing_zeros(uint(x)));",
+        &[("count_trailing_zeros", Kind::Uint)],
+    ),
     Plain {
         uses: &[("count_leading_zeros", Kind::Uint)],
         ..plain("first_leading_bit", Kind::Uint, X, "return 31u - wgsl_count_leading_zeros(x);")
@@ -154,7 +177,11 @@ const PLAIN: [Plain; 32] = [
             "return x == 0u ? 0xffffffffu : wgsl_count_trailing_zeros(x);",
         )
     },
-    as_uint("first_trailing_bit", "return int(wgsl_first_trailing_bit(uint(x)));", &[("first_trailing_bit", Kind::Uint)]),
+    as_uint(
+        "first_trailing_bit",
+        "return int(wgsl_first_trailing_bit(uint(x)));",
+        &[("first_trailing_bit", Kind::Uint)],
+    ),
     plain(
         "extract_bits",
         Kind::Uint,
@@ -185,7 +212,12 @@ const PLAIN: [Plain; 32] = [
     ),
     Plain {
         uses: &[("insert_bits", Kind::Uint)],
-        ..plain("insert_bits", Kind::Int, INSERT, "return int(wgsl_insert_bits(uint(x), uint(bits), offset, count));")
+        ..plain(
+            "insert_bits",
+            Kind::Int,
+            INSERT,
+            "return int(wgsl_insert_bits(uint(x), uint(bits), offset, count));",
+        )
     },
     Plain {
         takes: &[(Part::T, "x"), (Part::Of(Kind::Int), "e")],
@@ -219,7 +251,10 @@ const PLAIN: [Plain; 32] = [
 
 /// Functions that are what they are: name, text, and what they use.
 const WHOLE: [(&str, &str); 12] = [
-    ("quantize", "float wgsl_quantize(float x) {\n    return unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x;\n}\n"),
+    (
+        "quantize",
+        "float wgsl_quantize(float x) {\n    return unpackHalf2x16(packHalf2x16(vec2(x, 0.0))).x;\n}\n",
+    ),
     (
         "pack4x8snorm",
         "uint wgsl_pack4x8snorm(vec4 v) {
@@ -272,7 +307,10 @@ const WHOLE: [(&str, &str); 12] = [
         "unpack4xI8",
         "ivec4 wgsl_unpack4xI8(uint x) {\n    return ivec4(int(x) << 24, int(x) << 16, int(x) << 8, int(x)) >> 24;\n}\n",
     ),
-    ("unpack4xU8", "uvec4 wgsl_unpack4xU8(uint x) {\n    return uvec4(x, x >> 8, x >> 16, x >> 24) & 255u;\n}\n"),
+    (
+        "unpack4xU8",
+        "uvec4 wgsl_unpack4xU8(uint x) {\n    return uvec4(x, x >> 8, x >> 16, x >> 24) & 255u;\n}\n",
+    ),
     (
         "unpack4x8snorm",
         "vec4 wgsl_unpack4x8snorm(uint x) {
@@ -331,14 +369,17 @@ impl Helpers {
     fn want(&mut self, name: &'static str, kind: Kind, size: u8) {
         self.wanted.insert(Helper { name, scalar: kind, size: 1 });
         self.wanted.insert(Helper { name, scalar: kind, size });
-        for (used, kind) in PLAIN.iter().find(|one| one.name == name && one.kind == kind).map_or(&[][..], |one| one.uses) {
+        for (used, kind) in
+            PLAIN.iter().find(|one| one.name == name && one.kind == kind).map_or(&[][..], |one| one.uses)
+        {
             self.want(used, *kind, 1);
         }
     }
 
     /// Asks for one of those that have one type only; none if `name` is none of them.
     pub(super) fn ask_whole(&mut self, name: &str) -> Option<String> {
-        let known = WHOLE.iter().map(|(known, _)| *known).chain(["dot4I8Packed"]).find(|known| *known == name)?;
+        let known =
+            WHOLE.iter().map(|(known, _)| *known).chain(["dot4I8Packed"]).find(|known| *known == name)?;
         self.asked += 1;
         self.whole.insert(known);
         Some(format!("wgsl_{known}"))
@@ -388,7 +429,8 @@ impl Plain {
             Part::Of(kind) => kind.ty(size),
             Part::One(kind) => kind.ty(1),
         };
-        let takes: Vec<_> = self.takes.iter().map(|(part, name)| format!("{} {name}", spell(*part, size))).collect();
+        let takes: Vec<_> =
+            self.takes.iter().map(|(part, name)| format!("{} {name}", spell(*part, size))).collect();
         let head = format!("{} wgsl_{}({})", spell(self.gives, size), self.name, takes.join(", "));
         if size == 1 {
             return format!("{head} {{\n    {}\n}}\n", self.body);

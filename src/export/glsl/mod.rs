@@ -80,7 +80,11 @@ const WEBGL_FRAME: [(&str, &str, &str); 6] = [
     ("frame_time", "u_time", "uniform float u_time;  // s"),
     ("frame_delta", "u_delta", "uniform float u_delta;  // s, since the frame before"),
     ("frame_index", "uint(u_frame)", "uniform int u_frame;  // how many frames came before"),
-    ("frame_mouse", "u_mouse", "uniform vec4 u_mouse;  // pixels: where the drag is (xy) and where it began (zw)"),
+    (
+        "frame_mouse",
+        "u_mouse",
+        "uniform vec4 u_mouse;  // pixels: where the drag is (xy) and where it began (zw)",
+    ),
     ("frame_jitter", "vec2(0.0)", ""),
 ];
 
@@ -126,10 +130,11 @@ pub(super) fn written(
     entry: Option<&str>,
     templates: &Templates,
 ) -> Result<Result<Glsl, ExportError>, Error> {
-    let entry = match fragment(shader, entry).and_then(|entry| allowed(shader, target, &entry).map(|()| entry)) {
-        Ok(entry) => entry,
-        Err(error) => return Ok(Err(error)),
-    };
+    let entry =
+        match fragment(shader, entry).and_then(|entry| allowed(shader, target, &entry).map(|()| entry)) {
+            Ok(entry) => entry,
+            Err(error) => return Ok(Err(error)),
+        };
     let emitted = match emitted(shader, target, &entry, templates)? {
         Ok(emitted) => emitted,
         Err(error) => return Ok(Err(error)),
@@ -185,14 +190,17 @@ fn is_scene(shader: &Shader) -> bool {
 
 /// What is written for the parameters of `frame`, where they are variables.
 fn instead(shader: &Shader, target: Target) -> FxHashMap<&'static str, String> {
-    let is_frame = |parameter: &Parameter, name: &str| parameter.decl.key.group == "frame" && parameter.decl.key.flat() == name;
+    let is_frame = |parameter: &Parameter, name: &str| {
+        parameter.decl.key.group == "frame" && parameter.decl.key.flat() == name
+    };
     let parameters = &shader.checked().baked.composition.parameters;
     let known: Vec<(&'static str, &'static str)> = if target == Target::Shadertoy {
         SHADERTOY_FRAME.to_vec()
     } else {
         WEBGL_FRAME.iter().map(|(name, read, _)| (*name, *read)).collect()
     };
-    let ours = known.into_iter().filter(|(name, _)| parameters.iter().any(|parameter| is_frame(parameter, name)));
+    let ours =
+        known.into_iter().filter(|(name, _)| parameters.iter().any(|parameter| is_frame(parameter, name)));
     ours.map(|(name, read)| (name, read.to_owned())).collect()
 }
 
@@ -251,7 +259,11 @@ fn allowed(shader: &Shader, target: Target, entry: &str) -> Result<(), ExportErr
     }
     let checked = shader.checked();
     wrappable(&checked.module, entry)?;
-    let index = checked.module.entry_points.iter().position(|one| one.stage == ShaderStage::Fragment && one.name == entry);
+    let index = checked
+        .module
+        .entry_points
+        .iter()
+        .position(|one| one.stage == ShaderStage::Fragment && one.name == entry);
     unbound(shader, index.unwrap_or(0))
 }
 

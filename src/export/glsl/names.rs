@@ -24,7 +24,8 @@ impl Names {
     /// Spells `names`, none of them as one of `reserved`.
     pub(super) fn new<'a>(names: impl Iterator<Item = &'a str>, reserved: &[&str]) -> Self {
         let wanted: FxHashSet<&str> = names.collect();
-        let is_free = |name: &str| !WORDS.contains(name) && !reserved.contains(&name) && !name.starts_with("wgsl_");
+        let is_free =
+            |name: &str| !WORDS.contains(name) && !reserved.contains(&name) && !name.starts_with("wgsl_");
         let mut changing: Vec<&str> = Vec::new();
         let mut this = Self::default();
         for name in &wanted {
@@ -105,8 +106,10 @@ mod tests {
 
     #[test]
     fn a_name_that_is_free_stays_and_one_that_is_not_gets_the_nearest() {
-        let names = Names::new(["noise2", "sample", "sample_", "gl_höhe__1", "iTime", "p_"].into_iter(), &["iTime"]);
-        let spelled = ["noise2", "sample", "sample_", "gl_höhe__1", "iTime", "p_"].map(|name| names.get(name));
+        let names =
+            Names::new(["noise2", "sample", "sample_", "gl_höhe__1", "iTime", "p_"].into_iter(), &["iTime"]);
+        let spelled =
+            ["noise2", "sample", "sample_", "gl_höhe__1", "iTime", "p_"].map(|name| names.get(name));
         assert_eq!(spelled, ["noise2", "sample_2", "sample_", "ngl_hu00f6he_1", "iTime_", "p_"]);
     }
 }

@@ -27,7 +27,8 @@ pub(super) fn reached(typed: &Typed<'_>, entry: u32) -> Vec<bool> {
 
 /// The steps that write all that is `wanted`, in the text's order as far as GLSL allows: it wants definitions before use.
 pub(super) fn order(typed: &Typed<'_>, wanted: &[bool]) -> Vec<Step> {
-    let mut order = Order { typed, wanted, done: vec![State::Open; wanted.len()], turn: 0, steps: Vec::new() };
+    let mut order =
+        Order { typed, wanted, done: vec![State::Open; wanted.len()], turn: 0, steps: Vec::new() };
     for index in 0..wanted.len() as u32 {
         order.turn = index;
         let is_done = order.done[index as usize] == State::Written;
@@ -111,7 +112,9 @@ impl Typed<'_> {
         use super::super::typed::{ExprKind, Meaning};
         match (self.meaning(id), &self.tree.expr(id).kind) {
             (Meaning::Global(index), _) => Some(index),
-            (_, ExprKind::Name { arguments }) => arguments.iter().find_map(|argument| self.declared_in(*argument)),
+            (_, ExprKind::Name { arguments }) => {
+                arguments.iter().find_map(|argument| self.declared_in(*argument))
+            }
             _ => None,
         }
     }

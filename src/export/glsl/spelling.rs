@@ -43,7 +43,9 @@ pub(super) fn number(value: f64, scalar: Scalar) -> Option<String> {
             single.is_finite().then(|| float(single))
         }
         Scalar::I32 if value == f64::from(i32::MIN) => Some("(-2147483647 - 1)".to_owned()),
-        Scalar::I32 if value.fract() == 0.0 && (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&value) => {
+        Scalar::I32
+            if value.fract() == 0.0 && (f64::from(i32::MIN)..=f64::from(i32::MAX)).contains(&value) =>
+        {
             Some(format!("{}", value as i64))
         }
         Scalar::U32 if value.fract() == 0.0 && (0.0..=f64::from(u32::MAX)).contains(&value) => {

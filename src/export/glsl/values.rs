@@ -35,7 +35,13 @@ fn value(module: &Module, handle: Handle<Expression>, depth: u32) -> Option<Stri
         Expression::Constant(constant) => value(module, module.constants[*constant].init, depth + 1),
         Expression::Splat { size, value: one } => {
             let one = value(module, *one, depth + 1)?;
-            let prefix = if one.ends_with('u') { "u" } else if one.contains(['.', 'e']) { "" } else { "i" };
+            let prefix = if one.ends_with('u') {
+                "u"
+            } else if one.contains(['.', 'e']) {
+                ""
+            } else {
+                "i"
+            };
             Some(format!("{prefix}vec{}({one})", *size as u8))
         }
         Expression::Compose { ty, components } => {

@@ -233,7 +233,9 @@ impl Writer<'_, '_> {
                 }
                 format!("{}({})", self.global_name(index), zeros.join(", "))
             }
-            other => return self.refuse("a value of this type", span).and_then(|()| self.type_of(other, span)),
+            other => {
+                return self.refuse("a value of this type", span).and_then(|()| self.type_of(other, span));
+            }
         })
     }
 }

@@ -35,13 +35,23 @@ impl Writer<'_, '_> {
             }
             _ => {
                 let name = self.typed.tree.word(self.typed.tree.expr(callee).first);
-                if name == "bitcast" { self.bitcast(id, &arguments) } else { self.own(id, name, &arguments, wanted) }
+                if name == "bitcast" {
+                    self.bitcast(id, &arguments)
+                } else {
+                    self.own(id, name, &arguments, wanted)
+                }
             }
         }
     }
 
     /// `name(arguments)`, each as the scalar that `wanted` says.
-    fn named(&mut self, id: ExprId, name: &str, arguments: &[ExprId], wanted: impl Fn(usize) -> Wanted) -> Written {
+    fn named(
+        &mut self,
+        id: ExprId,
+        name: &str,
+        arguments: &[ExprId],
+        wanted: impl Fn(usize) -> Wanted,
+    ) -> Written {
         self.put(name);
         self.skip_to(self.opening(id));
         self.list(id, arguments, wanted)
@@ -49,7 +59,9 @@ impl Writer<'_, '_> {
 
     /// The `(` of a call.
     fn opening(&self, id: ExprId) -> Tok {
-        let ExprKind::Call { callee, .. } = self.typed.tree.expr(id).kind else { return self.typed.tree.expr(id).first };
+        let ExprKind::Call { callee, .. } = self.typed.tree.expr(id).kind else {
+            return self.typed.tree.expr(id).first;
+        };
         self.typed.tree.next(self.typed.tree.expr(callee).last)
     }
 
@@ -234,14 +246,17 @@ impl Writer<'_, '_> {
             "quantizeToF16" => self.quantize(id, arguments, size),
             "extractBits" | "insertBits" => {
                 let values = if name == "extractBits" { 1 } else { 2 };
-                let own = types[..values.min(types.len())].iter().filter_map(|ty| ty.scalar()).reduce(Scalar::unify);
+                let own = types[..values.min(types.len())]
+                    .iter()
+                    .filter_map(|ty| ty.scalar())
+                    .reduce(Scalar::unify);
                 let own = own.unwrap_or(Scalar::U32).concrete();
                 let name = if name == "extractBits" { "extract_bits" } else { "insert_bits" };
                 let name = self.helpers.ask(name, Ty::of(first.size(), own));
                 self.named(id, &name, arguments, |at| Some(if at < values { own } else { Scalar::U32 }))
             }
-            "countOneBits" | "countLeadingZeros" | "countTrailingZeros" | "firstLeadingBit" | "firstTrailingBit"
-            | "reverseBits" => {
+            "countOneBits" | "countLeadingZeros" | "countTrailingZeros" | "firstLeadingBit"
+            | "firstTrailingBit" | "reverseBits" => {
                 let name = match name {
                     "countOneBits" => "count_one_bits",
                     "countLeadingZeros" => "count_leading_zeros",
@@ -280,32 +295,42 @@ impl Writer<'_, '_> {
         }
         // Component by component: what is quantized is written into one call for each.
         if self.typed.has_effect(arguments[0]) {
-            return self.refuse("`quantizeToF16` of a vector that a call with side effects gives", self.typed.tree.span(id));
+            return self.refuse(
+                "`quantizeToF16` of a vector that a call with side effects gives",
+                self.typed.tree.span(id),
+            );
         }
         let one = self.apart(|writer| {
             writer.cursor = writer.typed.tree.expr(arguments[0]).first;
             writer.expr(arguments[0], Some(Scalar::F32))
         })?;
-        let parts: Vec<_> = "xyzw".chars().take(size.into()).map(|c| format!("{name}(({one}).{c})")).collect();
+        let parts: Vec<_> =
+            "xyzw".chars().take(size.into()).map(|c| format!("{name}(({one}).{c})")).collect();
         self.put(&format!("vec{size}({})", parts.join(", ")));
         Ok(())
     }
 
     fn select(&mut self, id: ExprId, arguments: &[ExprId], ty: Ty) -> Written {
-        let [no, yes, condition] = arguments else { return self.refuse("this call", self.typed.tree.span(id)) };
+        let [no, yes, condition] = arguments else {
+            return self.refuse("this call", self.typed.tree.span(id));
+        };
         let (no, yes, condition) = (*no, *yes, *condition);
         let scalar = ty.scalar().unwrap_or(Scalar::F32);
         let scalar = if self.typed.ty(no).scalar() == Some(Scalar::Bool) { Scalar::Bool } else { scalar };
         let last = self.typed.tree.expr(id).last;
         let picks_components = self.typed.ty(condition).is_vector();
-        let has_effect = self.typed.has_effect(no) || self.typed.has_effect(yes) || self.typed.has_effect(condition);
+        let has_effect =
+            self.typed.has_effect(no) || self.typed.has_effect(yes) || self.typed.has_effect(condition);
         if picks_components && scalar == Scalar::F32 {
             return self.named(id, "mix", arguments, |at| (at < 2).then_some(scalar));
         }
         if picks_components || has_effect {
             let size = self.typed.ty(no).size();
             if self.typed.ty(no).scalar().is_none() || (has_effect && !picks_components && size > 1) {
-                return self.refuse("`select` of these values from calls with side effects", self.typed.tree.span(id));
+                return self.refuse(
+                    "`select` of these values from calls with side effects",
+                    self.typed.tree.span(id),
+                );
             }
             let name = self.helpers.ask("select", Ty::of(size, scalar));
             return self.named(id, &name, arguments, |at| (at < 2).then_some(scalar));
@@ -331,8 +356,48 @@ impl Writer<'_, '_> {
 
 /// What both languages call the same.
 const KEPT: [&str; 44] = [
-    "abs", "acos", "acosh", "all", "any", "asin", "asinh", "atan", "atanh", "ceil", "clamp", "cos", "cosh", "cross",
-    "degrees", "determinant", "distance", "dot", "exp", "exp2", "floor", "fract", "fwidth", "length", "log", "log2",
-    "max", "min", "mix", "normalize", "pow", "radians", "reflect", "refract", "sign", "sin", "sinh", "smoothstep",
-    "sqrt", "step", "tan", "tanh", "transpose", "trunc",
+    "abs",
+    "acos",
+    "acosh",
+    "all",
+    "any",
+    "asin",
+    "asinh",
+    "atan",
+    "atanh",
+    "ceil",
+    "clamp",
+    "cos",
+    "cosh",
+    "cross",
+    "degrees",
+    "determinant",
+    "distance",
+    "dot",
+    "exp",
+    "exp2",
+    "floor",
+    "fract",
+    "fwidth",
+    "length",
+    "log",
+    "log2",
+    "max",
+    "min",
+    "mix",
+    "normalize",
+    "pow",
+    "radians",
+    "reflect",
+    "refract",
+    "sign",
+    "sin",
+    "sinh",
+    "smoothstep",
+    "sqrt",
+    "step",
+    "tan",
+    "tanh",
+    "transpose",
+    "trunc",
 ];

@@ -47,7 +47,8 @@ impl<'w> Writer<'w, '_> {
             writer.skip_to(writer.equals(decl.name, value));
             writer.expr(value, writer.types.scalar(ty))
         })?;
-        let fits = own.scalar().is_none_or(|scalar| !scalar.is_abstract() || self.fits(value, scalar.concrete()));
+        let fits =
+            own.scalar().is_none_or(|scalar| !scalar.is_abstract() || self.fits(value, scalar.concrete()));
         if self.helpers.asked() == asked && self.typed.is_constant(value) && fits {
             self.put(" ");
             self.put(&text);
@@ -56,7 +57,9 @@ impl<'w> Writer<'w, '_> {
             match known {
                 Some(value) => self.put(&format!(" = {value}")),
                 // An abstract integer beyond what it would become: whoever reads it is given the number.
-                None if !fits => self.put(&format!(" = {}", spelling::zero(ty.scalar().unwrap_or(Scalar::F32)))),
+                None if !fits => {
+                    self.put(&format!(" = {}", spelling::zero(ty.scalar().unwrap_or(Scalar::F32))))
+                }
                 None => return self.refuse("a constant that calls what GLSL has no constants of", span),
             }
         }
@@ -78,7 +81,12 @@ impl<'w> Writer<'w, '_> {
         tok
     }
 
-    fn variable(&mut self, index: u32, space: Option<Tok>, value: Option<crate::export::typed::ExprId>) -> Written {
+    fn variable(
+        &mut self,
+        index: u32,
+        space: Option<Tok>,
+        value: Option<crate::export::typed::ExprId>,
+    ) -> Written {
         let decl = &self.typed.tree.declarations[index as usize];
         let span = self.typed.tree.span_of(decl.name, decl.name);
         let ty = self.typed.globals[index as usize].unwrap_or(Ty::Nothing);
@@ -108,7 +116,9 @@ impl<'w> Writer<'w, '_> {
         };
         let is_constant = value.is_none_or(|value| self.typed.is_constant(value));
         match self.values.get(&index) {
-            Some(value) if self.helpers.asked() != asked || !is_constant => self.put(&format!(" = {}", value.clone())),
+            Some(value) if self.helpers.asked() != asked || !is_constant => {
+                self.put(&format!(" = {}", value.clone()))
+            }
             _ => self.put(&format!(" {text}")),
         }
         self.cursor = decl.last;
@@ -119,13 +129,17 @@ impl<'w> Writer<'w, '_> {
     /// own.
     fn std140(&self, ty: Ty, span: crate::source::Span) -> Written {
         match ty {
-            Ty::Matrix(_, 2, _) => self.refuse("a matrix of two rows in a uniform buffer of WGSL's layout", span),
+            Ty::Matrix(_, 2, _) => {
+                self.refuse("a matrix of two rows in a uniform buffer of WGSL's layout", span)
+            }
             Ty::Array(index) => self.std140(self.types.of_array(index).0, span),
             Ty::Struct(index) => {
                 if let DeclKind::Struct { members, .. } = &self.typed.tree.declarations[index as usize].kind {
                     for member in members {
                         let place = self.typed.tree.span_of(member.name, member.name);
-                        let own = ["size", "align"].iter().any(|name| self.typed.tree.attribute(&member.attributes, name).is_some());
+                        let own = ["size", "align"]
+                            .iter()
+                            .any(|name| self.typed.tree.attribute(&member.attributes, name).is_some());
                         if own {
                             return self.refuse("a layout of one's own in a uniform buffer", place);
                         }

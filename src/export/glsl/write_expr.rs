@@ -161,10 +161,14 @@ impl Writer<'_, '_> {
         match self.types.scalar(ty) {
             Some(scalar) if scalar.is_abstract() && scalar.concrete() != settled => {
                 if matches!(ty, Ty::Array(_)) {
-                    return self.refuse("an array of abstract numbers read as two types", self.typed.tree.span(id));
+                    return self
+                        .refuse("an array of abstract numbers read as two types", self.typed.tree.span(id));
                 }
-                if let Some(text) =
-                    self.typed.integer(id).and_then(|value| spelling::number(value as f64, settled)).filter(|_| settled == Scalar::U32)
+                if let Some(text) = self
+                    .typed
+                    .integer(id)
+                    .and_then(|value| spelling::number(value as f64, settled))
+                    .filter(|_| settled == Scalar::U32)
                 {
                     self.put(&text); // it may not fit where it is declared
                     return Ok(());
@@ -225,8 +229,13 @@ impl Writer<'_, '_> {
             self.through(operator);
             return self.shift_amount(right);
         }
-        let scalar = self.common(a, b, if matches!(word, "+" | "-" | "*" | "/" | "%" | "&" | "|" | "^") { wanted } else { None });
-        let form = self.form(word, a, b, scalar, right, self.typed.is_constant(id), self.typed.has_effect(right));
+        let scalar = self.common(
+            a,
+            b,
+            if matches!(word, "+" | "-" | "*" | "/" | "%" | "&" | "|" | "^") { wanted } else { None },
+        );
+        let form =
+            self.form(word, a, b, scalar, right, self.typed.is_constant(id), self.typed.has_effect(right));
         match form {
             Form::Operator => {
                 self.expr(left, Some(scalar))?;
@@ -292,7 +301,9 @@ impl Writer<'_, '_> {
     fn common(&self, a: Ty, b: Ty, wanted: Wanted) -> Scalar {
         match (a.scalar(), b.scalar()) {
             (Some(a), Some(b)) => match a.unify(b) {
-                scalar if scalar.is_abstract() => wanted.filter(|wanted| *wanted != Scalar::Bool).unwrap_or(scalar.concrete()),
+                scalar if scalar.is_abstract() => {
+                    wanted.filter(|wanted| *wanted != Scalar::Bool).unwrap_or(scalar.concrete())
+                }
                 scalar => scalar,
             },
             _ => Scalar::F32,
@@ -387,7 +398,8 @@ impl Writer<'_, '_> {
                 } else {
                     let name = self.names.fresh_like(&format!("{base_name}_at"));
                     let scalar = self.settled(self.typed.ty(index), Some(Scalar::I32));
-                    before.push_str(&format!("{} {name} = {written}; ", spelling::numeric(Ty::Scalar(scalar))));
+                    before
+                        .push_str(&format!("{} {name} = {written}; ", spelling::numeric(Ty::Scalar(scalar))));
                     name
                 };
                 text.push_str(&format!("[{written}]"));

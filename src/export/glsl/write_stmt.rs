@@ -3,8 +3,7 @@
 use super::write::{Loop, Writer, Written};
 use super::write_expr::Form;
 use crate::export::typed::{
-    Arm, Block, Clause, Continuing, ExprId, ExprKind, LocalDecl, Scalar, Statement, StatementKind, Tok,
-    Ty,
+    Arm, Block, Clause, Continuing, ExprId, ExprKind, LocalDecl, Scalar, Statement, StatementKind, Tok, Ty,
 };
 
 impl<'w> Writer<'w, '_> {
@@ -30,7 +29,9 @@ impl<'w> Writer<'w, '_> {
                 self.through(statement.last);
                 return Ok(());
             }
-            StatementKind::Loop { body, continuing } => return self.loop_(statement, body, continuing.as_ref()),
+            StatementKind::Loop { body, continuing } => {
+                return self.loop_(statement, body, continuing.as_ref());
+            }
             StatementKind::While { condition, body } => {
                 self.through(statement.first);
                 self.condition(*condition)?;
@@ -65,7 +66,9 @@ impl<'w> Writer<'w, '_> {
     fn simple(&mut self, statement: &'w Statement) -> Written {
         match &statement.kind {
             StatementKind::Local(local) => self.local(statement.first, local),
-            StatementKind::Assign { left, operator, right } => self.assign(statement, *left, *operator, *right),
+            StatementKind::Assign { left, operator, right } => {
+                self.assign(statement, *left, *operator, *right)
+            }
             StatementKind::Phony { right } => {
                 self.skip_to(self.typed.tree.expr(*right).first);
                 self.expr(*right, None)
@@ -249,7 +252,10 @@ impl<'w> Writer<'w, '_> {
         let ends = body.statements.last().is_some_and(|last| {
             matches!(
                 last.kind,
-                StatementKind::Return(_) | StatementKind::Break | StatementKind::Continue | StatementKind::Discard
+                StatementKind::Return(_)
+                    | StatementKind::Break
+                    | StatementKind::Continue
+                    | StatementKind::Discard
             )
         });
         if ends {
@@ -288,7 +294,12 @@ impl<'w> Writer<'w, '_> {
         outcome
     }
 
-    fn loop_(&mut self, statement: &'w Statement, body: &'w Block, continuing: Option<&'w Continuing>) -> Written {
+    fn loop_(
+        &mut self,
+        statement: &'w Statement,
+        body: &'w Block,
+        continuing: Option<&'w Continuing>,
+    ) -> Written {
         let continues_in_switch = body.statements.iter().any(|one| continues(one, false));
         let breaks = continuing.is_some_and(|continuing| continuing.break_if.is_some());
         let mut again = None;
@@ -312,7 +323,8 @@ impl<'w> Writer<'w, '_> {
             self.through(continuing.body.open);
             self.statements(&continuing.body.statements)?;
             self.break_if(continuing, None)?;
-            self.cursor = self.cursor.max(continuing.break_if.map_or(0, |id| self.typed.tree.expr(id).last + 1));
+            self.cursor =
+                self.cursor.max(continuing.break_if.map_or(0, |id| self.typed.tree.expr(id).last + 1));
             self.skip_semicolon(continuing);
             self.through(continuing.body.close);
         }
@@ -377,7 +389,13 @@ impl<'w> Writer<'w, '_> {
         let everything = body.statements.iter().any(|statement| repeats(self.typed, statement));
         if everything {
             let mut seen: Vec<&str> = Vec::new();
-            for (number, local) in self.typed.locals.iter().enumerate().filter(|(_, local)| local.function == index && local.name > 0) {
+            for (number, local) in self
+                .typed
+                .locals
+                .iter()
+                .enumerate()
+                .filter(|(_, local)| local.function == index && local.name > 0)
+            {
                 let word = self.typed.tree.word(local.name);
                 if seen.contains(&word) {
                     clashing.push(number as u32);
@@ -428,7 +446,9 @@ impl<'w> Writer<'w, '_> {
                 arms.iter().for_each(|arm| each(&arm.body, clashing));
                 otherwise.iter().for_each(|block| each(block, clashing));
             }
-            StatementKind::Switch { clauses, .. } => clauses.iter().for_each(|clause| each(&clause.body, clashing)),
+            StatementKind::Switch { clauses, .. } => {
+                clauses.iter().for_each(|clause| each(&clause.body, clashing))
+            }
             StatementKind::Loop { body, continuing } => {
                 each(body, clashing);
                 continuing.iter().for_each(|continuing| each(&continuing.body, clashing));
@@ -452,9 +472,9 @@ fn repeats(typed: &crate::export::typed::Typed<'_>, statement: &Statement) -> bo
     let any = |block: &Block| block.statements.iter().any(|statement| repeats(typed, statement));
     match &statement.kind {
         StatementKind::Local(local) => matches!(typed.locals[local.number as usize].ty, Ty::Pointer(_)),
-        StatementKind::Block(block) | StatementKind::While { body: block, .. } | StatementKind::For { body: block, .. } => {
-            any(block)
-        }
+        StatementKind::Block(block)
+        | StatementKind::While { body: block, .. }
+        | StatementKind::For { body: block, .. } => any(block),
         StatementKind::If { arms, otherwise } => {
             arms.iter().any(|arm| any(&arm.body)) || otherwise.as_ref().is_some_and(any)
         }
@@ -466,7 +486,8 @@ fn repeats(typed: &crate::export::typed::Typed<'_>, statement: &Statement) -> bo
 
 /// Whether a loop's body has a `continue` of that loop inside of a `switch`.
 fn continues(statement: &Statement, in_switch: bool) -> bool {
-    let any = |block: &Block, in_switch| block.statements.iter().any(|statement| continues(statement, in_switch));
+    let any =
+        |block: &Block, in_switch| block.statements.iter().any(|statement| continues(statement, in_switch));
     match &statement.kind {
         StatementKind::Continue => in_switch,
         StatementKind::Block(block) => any(block, in_switch),

@@ -12,12 +12,13 @@ pub(super) fn result(name: &str, arguments: &[Ty]) -> Option<Ty> {
     };
     Some(match name {
         "abs" | "max" | "min" | "clamp" | "sign" => together()?,
-        "acos" | "acosh" | "asin" | "asinh" | "atan" | "atanh" | "atan2" | "ceil" | "cos" | "cosh" | "cross"
-        | "degrees" | "exp" | "exp2" | "faceForward" | "floor" | "fma" | "fract" | "inverseSqrt" | "log"
-        | "log2" | "mix" | "normalize" | "pow" | "radians" | "reflect" | "refract" | "round" | "saturate"
-        | "sin" | "sinh" | "smoothstep" | "sqrt" | "step" | "tan" | "tanh" | "trunc" => floats()?,
-        "dpdx" | "dpdxCoarse" | "dpdxFine" | "dpdy" | "dpdyCoarse" | "dpdyFine" | "fwidth" | "fwidthCoarse"
-        | "fwidthFine" | "quantizeToF16" => floats()?.with(Scalar::F32),
+        "acos" | "acosh" | "asin" | "asinh" | "atan" | "atanh" | "atan2" | "ceil" | "cos" | "cosh"
+        | "cross" | "degrees" | "exp" | "exp2" | "faceForward" | "floor" | "fma" | "fract"
+        | "inverseSqrt" | "log" | "log2" | "mix" | "normalize" | "pow" | "radians" | "reflect"
+        | "refract" | "round" | "saturate" | "sin" | "sinh" | "smoothstep" | "sqrt" | "step" | "tan"
+        | "tanh" | "trunc" => floats()?,
+        "dpdx" | "dpdxCoarse" | "dpdxFine" | "dpdy" | "dpdyCoarse" | "dpdyFine" | "fwidth"
+        | "fwidthCoarse" | "fwidthFine" | "quantizeToF16" => floats()?.with(Scalar::F32),
         "length" | "distance" => Ty::Scalar(floats()?.scalar()?),
         "dot" => Ty::Scalar(together()?.scalar()?),
         "determinant" => Ty::Scalar(first?.scalar()?),
@@ -33,8 +34,8 @@ pub(super) fn result(name: &str, arguments: &[Ty]) -> Option<Ty> {
                 _ => a,
             }
         }
-        "countLeadingZeros" | "countOneBits" | "countTrailingZeros" | "firstLeadingBit" | "firstTrailingBit"
-        | "reverseBits" | "extractBits" => first?.with(first?.scalar()?.concrete()),
+        "countLeadingZeros" | "countOneBits" | "countTrailingZeros" | "firstLeadingBit"
+        | "firstTrailingBit" | "reverseBits" | "extractBits" => first?.with(first?.scalar()?.concrete()),
         "insertBits" => {
             let ty = self::together(arguments.get(..2)?)?;
             ty.with(ty.scalar()?.concrete())

@@ -34,7 +34,8 @@ pub(super) fn effects(typed: &Typed<'_>) -> Vec<bool> {
 
 fn writes(typed: &Typed<'_>, statement: &Statement) -> bool {
     let any = |block: &Block| block.statements.iter().any(|statement| writes(typed, statement));
-    let some = |statement: &Option<Box<Statement>>| statement.iter().any(|statement| writes(typed, statement));
+    let some =
+        |statement: &Option<Box<Statement>>| statement.iter().any(|statement| writes(typed, statement));
     match &statement.kind {
         StatementKind::Discard => true,
         StatementKind::Assign { left, .. } | StatementKind::Step { left } => is_global(typed, *left),
@@ -75,7 +76,8 @@ impl Typed<'_> {
             ExprKind::Index { base, index } => self.has_effect(*base) || self.has_effect(*index),
             ExprKind::Binary { left, right, .. } => self.has_effect(*left) || self.has_effect(*right),
             ExprKind::Call { callee, arguments } => {
-                let own = matches!(self.meaning(*callee), Meaning::Global(index) if self.effects[index as usize]);
+                let own =
+                    matches!(self.meaning(*callee), Meaning::Global(index) if self.effects[index as usize]);
                 own || arguments.iter().any(|argument| self.has_effect(*argument))
             }
         }

@@ -89,7 +89,9 @@ impl<'a> Typed<'a> {
     /// The types that the function `index` takes.
     pub(in crate::export) fn parameters(&self, index: u32) -> Vec<Ty> {
         match &self.tree.declarations[index as usize].kind {
-            DeclKind::Function(function) => function.parameters.iter().map(|field| self.ty(field.ty)).collect(),
+            DeclKind::Function(function) => {
+                function.parameters.iter().map(|field| self.ty(field.ty)).collect()
+            }
             _ => Vec::new(),
         }
     }
@@ -97,7 +99,8 @@ impl<'a> Typed<'a> {
 
 /// Types the whole of `tree`.
 pub(in crate::export) fn type_check(tree: Tree<'_>) -> Parsed<Typed<'_>> {
-    let (declared, expressions, locals) = (tree.declarations.len(), tree.expressions.len(), tree.locals as usize);
+    let (declared, expressions, locals) =
+        (tree.declarations.len(), tree.expressions.len(), tree.locals as usize);
     let mut by_name = FxHashMap::default();
     for (index, decl) in tree.declarations.iter().enumerate() {
         if !matches!(decl.kind, DeclKind::Directive | DeclKind::Assert) {
@@ -150,7 +153,10 @@ impl<'a> Typer<'a> {
         }
         if self.depth > DEEPEST {
             let decl = &self.typed.tree.declarations[index as usize];
-            return Err(Unreadable { what: "nesting of this depth", span: self.typed.tree.span_of(decl.name, decl.name) });
+            return Err(Unreadable {
+                what: "nesting of this depth",
+                span: self.typed.tree.span_of(decl.name, decl.name),
+            });
         }
         self.depth += 1;
         let outer = std::mem::replace(&mut self.doing, index);
@@ -175,8 +181,12 @@ impl<'a> Typer<'a> {
         }
         let parts = match &self.typed.tree.declarations[index as usize].kind {
             DeclKind::Const { ty, value } => Parts::Value(*ty, Some(*value), false),
-            DeclKind::Override { ty, value } | DeclKind::Var { ty, value, .. } => Parts::Value(*ty, *value, true),
-            DeclKind::Struct { members, .. } => Parts::Fields(members.iter().map(|member| member.ty).collect()),
+            DeclKind::Override { ty, value } | DeclKind::Var { ty, value, .. } => {
+                Parts::Value(*ty, *value, true)
+            }
+            DeclKind::Struct { members, .. } => {
+                Parts::Fields(members.iter().map(|member| member.ty).collect())
+            }
             DeclKind::Function(function) => {
                 Parts::Function(function.parameters.iter().map(|field| field.ty).collect(), function.result)
             }
@@ -372,10 +382,14 @@ impl<'a> Typer<'a> {
 
     fn member(&self, base: Ty, name: &str) -> Option<Ty> {
         match base {
-            Ty::Vector(_, scalar) if name.len() <= 4 && name.bytes().all(|byte| b"xyzwrgba".contains(&byte)) => {
+            Ty::Vector(_, scalar)
+                if name.len() <= 4 && name.bytes().all(|byte| b"xyzwrgba".contains(&byte)) =>
+            {
                 Some(Ty::of(name.len() as u8, scalar))
             }
-            Ty::Struct(index) => self.typed.members(index).find(|(known, _)| *known == name).map(|(_, ty)| ty),
+            Ty::Struct(index) => {
+                self.typed.members(index).find(|(known, _)| *known == name).map(|(_, ty)| ty)
+            }
             Ty::Modf(n) => Some(Ty::of(n, Scalar::F32)),
             Ty::Frexp(n) => Some(Ty::of(n, if name == "exp" { Scalar::I32 } else { Scalar::F32 })),
             _ => None,
@@ -393,7 +407,8 @@ impl<'a> Typer<'a> {
         if let Some(index) = self.global_named(name) {
             let ty = self.global(index)?;
             self.typed.meaning[callee.index()] = Meaning::Global(index);
-            let is_function = matches!(self.typed.tree.declarations[index as usize].kind, DeclKind::Function(_));
+            let is_function =
+                matches!(self.typed.tree.declarations[index as usize].kind, DeclKind::Function(_));
             return Ok((ty, constant && !is_function));
         }
         let has_list = matches!(&self.typed.tree.expr(callee).kind, ExprKind::Name { arguments } if !arguments.is_empty());
@@ -410,10 +425,16 @@ impl<'a> Typer<'a> {
         }
         if let Some((shape, None)) = builtin::constructor(name) {
             let (scalar, inferred) = match shape {
-                Shape::Vector(n) => (types.iter().filter_map(|ty| ty.scalar()).reduce(Scalar::unify), Shape2::Vector(n)),
+                Shape::Vector(n) => {
+                    (types.iter().filter_map(|ty| ty.scalar()).reduce(Scalar::unify), Shape2::Vector(n))
+                }
                 Shape::Matrix(c, r) => {
                     let scalar = types.iter().filter_map(|ty| ty.scalar()).reduce(Scalar::unify);
-                    let float = if scalar == Some(Scalar::AbstractInt) { Some(Scalar::AbstractFloat) } else { scalar };
+                    let float = if scalar == Some(Scalar::AbstractInt) {
+                        Some(Scalar::AbstractFloat)
+                    } else {
+                        scalar
+                    };
                     (float, Shape2::Matrix(c, r))
                 }
                 Shape::Scalar => return self.unreadable(callee, "this call"),

@@ -13,11 +13,11 @@ mod tree;
 mod ty;
 mod value;
 
-pub(super) use infer::{Local, Meaning, Typed, type_check};
+pub(super) use infer::{Meaning, Typed, type_check};
 pub(super) use parse::{Unreadable, parse};
 pub(super) use tree::{
-    Arm, Attribute, Binding, Block, Clause, Continuing, Decl, DeclKind, Expr, ExprId, ExprKind, Field, Function,
-    Local as LocalDecl, Statement, StatementKind, Tok, Tree,
+    Arm, Attribute, Binding, Block, Clause, Continuing, Decl, DeclKind, ExprId, ExprKind, Field, Function,
+    Local as LocalDecl, Statement, StatementKind, Tok,
 };
 pub(super) use ty::{Opaque, Scalar, Ty, Types};
 pub(super) use value::Number;

@@ -25,7 +25,8 @@ pub(in crate::export) fn parse(text: &str) -> Parsed<Tree<'_>> {
         .map(|index| index as Tok)
         .collect();
     let in_attribute = vec![false; tokens.len()];
-    let tree = Tree { text, tokens, declarations: Vec::new(), expressions: Vec::new(), in_attribute, locals: 0 };
+    let tree =
+        Tree { text, tokens, declarations: Vec::new(), expressions: Vec::new(), in_attribute, locals: 0 };
     let mut parser = Parser { tree, significant, at: 0, depth: 0 };
     while !parser.at_end() {
         if parser.takes(TokenKind::Semicolon) {
@@ -138,7 +139,7 @@ impl<'a> Parser<'a> {
 
     fn declaration(&mut self) -> Parsed<Decl> {
         let first = self.here();
-        let attributes = self.attributes()?;
+        self.attributes()?;
         let keyword = self.word();
         let name = match keyword {
             "fn" | "struct" | "const" | "override" | "alias" => {
@@ -174,7 +175,12 @@ impl<'a> Parser<'a> {
                 let open = self.expect(TokenKind::BraceOpen, "this struct")?;
                 let members = self.fields(TokenKind::BraceClose, false)?;
                 let close = self.expect(TokenKind::BraceClose, "this struct")?;
-                return Ok(Decl { attributes, kind: DeclKind::Struct { open, members, close }, name, first, last: close });
+                return Ok(Decl {
+                    kind: DeclKind::Struct { open, members, close },
+                    name,
+                    first,
+                    last: close,
+                });
             }
             "fn" => {
                 let open = self.expect(TokenKind::ParenOpen, "this function")?;
@@ -188,12 +194,12 @@ impl<'a> Parser<'a> {
                 let body = self.block()?;
                 let last = body.close;
                 let function = Function { parameters, open, close, result, result_attributes, body };
-                return Ok(Decl { attributes, kind: DeclKind::Function(Box::new(function)), name, first, last });
+                return Ok(Decl { kind: DeclKind::Function(Box::new(function)), name, first, last });
             }
             _ => return self.unreadable("this declaration"),
         };
         let last = self.expect(TokenKind::Semicolon, "this declaration")?;
-        Ok(Decl { attributes, kind, name: declared, first, last })
+        Ok(Decl { kind, name: declared, first, last })
     }
 
     /// `<space, access>` behind `var`: the first word.
@@ -222,7 +228,7 @@ impl<'a> Parser<'a> {
 
     fn fields(&mut self, end: TokenKind, parameters: bool) -> Parsed<Vec<Field>> {
         let mut fields = Vec::new();
-        while !matches!(self.kind(), None) && self.kind() != Some(end) {
+        while self.kind().is_some_and(|kind| kind != end) {
             let attributes = self.attributes()?;
             let name = self.expect(TokenKind::Ident, "this declaration")?;
             self.expect(TokenKind::Colon, "this declaration")?;
@@ -253,7 +259,8 @@ impl<'a> Parser<'a> {
     fn statements(&mut self) -> Parsed<Vec<Statement>> {
         let mut statements = Vec::new();
         loop {
-            let is_break_if = || self.significant.get(self.at + 1).is_some_and(|tok| self.tree.word(*tok) == "if");
+            let is_break_if =
+                || self.significant.get(self.at + 1).is_some_and(|tok| self.tree.word(*tok) == "if");
             match self.kind() {
                 None | Some(TokenKind::BraceClose) => return Ok(statements),
                 _ if self.word() == "continuing" => return Ok(statements),

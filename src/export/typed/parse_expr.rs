@@ -41,7 +41,8 @@ impl Parser<'_> {
             let Some(found) = found else { return Ok(left) };
             let operator = self.advance();
             let right = self.binary(found + 1)?;
-            left = self.push(ExprKind::Binary { left, operator, right }, left, self.behind(), &[left, right])?;
+            left =
+                self.push(ExprKind::Binary { left, operator, right }, left, self.behind(), &[left, right])?;
         }
     }
 

@@ -114,21 +114,49 @@ pub(in crate::export) enum StatementKind {
     Block(Block),
     Local(Local),
     /// `left = right`, `left += right`, …
-    Assign { left: ExprId, operator: Tok, right: ExprId },
+    Assign {
+        left: ExprId,
+        operator: Tok,
+        right: ExprId,
+    },
     /// `_ = right`
-    Phony { right: ExprId },
+    Phony {
+        right: ExprId,
+    },
     /// `left++`, `left--`
-    Step { left: ExprId },
+    Step {
+        left: ExprId,
+    },
     Call(ExprId),
     Return(Option<ExprId>),
     Break,
     Continue,
     Discard,
-    If { arms: Vec<Arm>, otherwise: Option<Block> },
-    Switch { selector: ExprId, open: Tok, clauses: Vec<Clause> },
-    Loop { body: Block, continuing: Option<Continuing> },
-    While { condition: ExprId, body: Block },
-    For { open: Tok, init: Option<Box<Statement>>, condition: Option<ExprId>, step: Option<Box<Statement>>, close: Tok, body: Block },
+    If {
+        arms: Vec<Arm>,
+        otherwise: Option<Block>,
+    },
+    Switch {
+        selector: ExprId,
+        open: Tok,
+        clauses: Vec<Clause>,
+    },
+    Loop {
+        body: Block,
+        continuing: Option<Continuing>,
+    },
+    While {
+        condition: ExprId,
+        body: Block,
+    },
+    For {
+        open: Tok,
+        init: Option<Box<Statement>>,
+        condition: Option<ExprId>,
+        step: Option<Box<Statement>>,
+        close: Tok,
+        body: Block,
+    },
     Assert,
 }
 
@@ -165,18 +193,31 @@ pub(in crate::export) enum DeclKind {
     Directive,
     Assert,
     Alias(ExprId),
-    Const { ty: Option<ExprId>, value: ExprId },
-    Override { ty: Option<ExprId>, value: Option<ExprId> },
+    Const {
+        ty: Option<ExprId>,
+        value: ExprId,
+    },
+    Override {
+        ty: Option<ExprId>,
+        value: Option<ExprId>,
+    },
     /// A variable in the address space that the token names, if any.
-    Var { space: Option<Tok>, ty: Option<ExprId>, value: Option<ExprId> },
-    Struct { open: Tok, members: Vec<Field>, close: Tok },
+    Var {
+        space: Option<Tok>,
+        ty: Option<ExprId>,
+        value: Option<ExprId>,
+    },
+    Struct {
+        open: Tok,
+        members: Vec<Field>,
+        close: Tok,
+    },
     Function(Box<Function>),
 }
 
 /// A declaration of the module: tokens `first` to `last`, attributes and semicolon included.
 #[derive(Debug)]
 pub(in crate::export) struct Decl {
-    pub(in crate::export) attributes: Vec<Attribute>,
     pub(in crate::export) kind: DeclKind,
     pub(in crate::export) name: Tok,
     pub(in crate::export) first: Tok,
@@ -241,7 +282,11 @@ impl<'a> Tree<'a> {
     }
 
     /// The arguments of the attribute `name`, if it is there.
-    pub(in crate::export) fn attribute<'t>(&self, attributes: &'t [Attribute], name: &str) -> Option<&'t Attribute> {
+    pub(in crate::export) fn attribute<'t>(
+        &self,
+        attributes: &'t [Attribute],
+        name: &str,
+    ) -> Option<&'t Attribute> {
         attributes.iter().find(|attribute| self.word(attribute.name) == name)
     }
 }

@@ -20,10 +20,6 @@ impl Scalar {
         matches!(self, Self::I32 | Self::U32 | Self::AbstractInt)
     }
 
-    pub(in crate::export) fn is_float(self) -> bool {
-        matches!(self, Self::F32 | Self::AbstractFloat)
-    }
-
     /// What it becomes where nothing else is asked for.
     pub(in crate::export) fn concrete(self) -> Self {
         match self {
@@ -75,7 +71,6 @@ impl Ty {
     pub(in crate::export) const BOOL: Self = Self::Scalar(Scalar::Bool);
     pub(in crate::export) const I32: Self = Self::Scalar(Scalar::I32);
     pub(in crate::export) const U32: Self = Self::Scalar(Scalar::U32);
-    pub(in crate::export) const F32: Self = Self::Scalar(Scalar::F32);
 
     /// `n` components of `scalar`: a scalar itself where `n` is 1.
     pub(in crate::export) fn of(n: u8, scalar: Scalar) -> Self {

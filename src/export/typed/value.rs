@@ -44,7 +44,9 @@ impl Typed<'_> {
                 let operand = self.number(*operand)?;
                 match (self.tree.word(self.tree.expr(id).first), operand) {
                     ("-", Number::Int(value)) => Some(Number::Int(value.checked_neg()?)),
-                    ("-", Number::Float { exact, single }) => Some(Number::Float { exact: -exact, single: -single }),
+                    ("-", Number::Float { exact, single }) => {
+                        Some(Number::Float { exact: -exact, single: -single })
+                    }
                     _ => None,
                 }
             }
@@ -106,7 +108,11 @@ fn combine(operator: &str, a: Number, b: Number) -> Option<Number> {
 pub(super) fn literal(word: &str) -> Option<Number> {
     let plain = word.trim_end_matches(['u', 'i']);
     if let Some(hex) = plain.strip_prefix("0x").or_else(|| plain.strip_prefix("0X")) {
-        return if hex.contains(['.', 'p', 'P']) { hex_float(hex) } else { i64::from_str_radix(hex, 16).ok().map(Number::Int) };
+        return if hex.contains(['.', 'p', 'P']) {
+            hex_float(hex)
+        } else {
+            i64::from_str_radix(hex, 16).ok().map(Number::Int)
+        };
     }
     if let Ok(value) = plain.parse::<i64>() {
         return Some(Number::Int(value));
