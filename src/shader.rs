@@ -87,6 +87,11 @@ impl Compose {
         stage::survey(library, &mut self.cache, &request)
     }
 
+    /// How much composing has done so far: what was known already is not counted.
+    pub fn work(&self) -> stage::Work {
+        self.cache.work()
+    }
+
     fn request<'a>(&self, preset: &'a Preset) -> Result<Request<'a>, Error> {
         let beside = self.beside.clone();
         let wrapper = match beside {

@@ -43,6 +43,7 @@ impl Facts {
     }
 
     /// The licence that most files are under.
+    #[cfg(feature = "check")]
     pub(crate) fn main_licence(&self) -> &str {
         let most = self.licences.iter().max_by_key(|entry| entry.files.len());
         most.map_or("", |entry| &entry.licence)

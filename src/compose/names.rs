@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::builtin::is_builtin_function;
 use super::error::{At, ComposeError};
 use super::graph::Graph;
 use super::prefix::Prefix;
@@ -377,12 +378,16 @@ impl<'a> Names<'a> {
         let Some(found) = signature(&text[declaration.span.range()]) else {
             return Err("no function".into());
         };
-        let plain = |signature: &Signature, instance: usize| Signature {
+        let same = self.spelled(&found, global.instance as usize) == self.spelled(expected, owner);
+        if same { Ok(()) } else { Err(format!("`{found}`")) }
+    }
+
+    /// A signature as the result spells it, seen from `instance`.
+    pub(super) fn spelled(&self, signature: &Signature, instance: usize) -> Signature {
+        Signature {
             takes: signature.takes.iter().map(|ty| self.plain(ty, instance, 0)).collect(),
             gives: signature.gives.as_ref().map(|ty| self.plain(ty, instance, 0)),
-        };
-        let same = plain(&found, global.instance as usize) == plain(expected, owner);
-        if same { Ok(()) } else { Err(format!("`{found}`")) }
+        }
     }
 
     /// A type as the result spells it, seen from `instance`: names of instances in full, aliases followed (a few steps at
@@ -548,72 +553,3 @@ impl<'a> Names<'a> {
 }
 
 static EMPTY: std::sync::LazyLock<Module> = std::sync::LazyLock::new(Module::default);
-
-/// WGSL's own functions that can fill a slot: those of one signature a type.
-fn is_builtin_function(name: &str) -> bool {
-    const NAMES: [&str; 62] = [
-        "abs",
-        "acos",
-        "acosh",
-        "all",
-        "any",
-        "asin",
-        "asinh",
-        "atan",
-        "atan2",
-        "atanh",
-        "ceil",
-        "clamp",
-        "cos",
-        "cosh",
-        "countLeadingZeros",
-        "countOneBits",
-        "countTrailingZeros",
-        "cross",
-        "degrees",
-        "distance",
-        "dot",
-        "dpdx",
-        "dpdy",
-        "exp",
-        "exp2",
-        "faceForward",
-        "firstLeadingBit",
-        "firstTrailingBit",
-        "floor",
-        "fma",
-        "fract",
-        "fwidth",
-        "inverseSqrt",
-        "ldexp",
-        "length",
-        "log",
-        "log2",
-        "max",
-        "min",
-        "mix",
-        "normalize",
-        "pow",
-        "radians",
-        "reflect",
-        "refract",
-        "reverseBits",
-        "round",
-        "saturate",
-        "select",
-        "sign",
-        "sin",
-        "sinh",
-        "smoothstep",
-        "sqrt",
-        "step",
-        "tan",
-        "tanh",
-        "transpose",
-        "trunc",
-        "determinant",
-        "extractBits",
-        "insertBits",
-    ];
-    NAMES.contains(&name)
-}

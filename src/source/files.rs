@@ -54,6 +54,12 @@ impl Files {
         id
     }
 
+    /// Puts another text in the place of the one numbered `id`.
+    pub(crate) fn replace(&mut self, id: FileId, text: impl Into<Arc<str>>) {
+        let file = &mut self.files[id.0 as usize];
+        (file.text, file.line_starts) = (text.into(), OnceLock::new());
+    }
+
     /// Takes all texts of `other` in; the number of each grows by what comes back.
     pub(crate) fn append(&mut self, other: &Self) -> u32 {
         let offset = self.files.len() as u32;
@@ -66,13 +72,9 @@ impl Files {
         &self.files[id.0 as usize]
     }
 
-    /// The texts that are files on disk. The library's fragments have names like paths, too: only a file of the same text was
-    /// read.
+    /// The files on disk that texts were read from.
     pub(crate) fn on_disk(&self) -> Vec<PathBuf> {
-        let was_read = |file: &&File| {
-            super::read_text(Path::new(&*file.name), &file.name).is_ok_and(|text| text == file.text)
-        };
-        self.files.iter().filter(was_read).map(|file| PathBuf::from(&*file.name)).collect()
+        self.files.iter().filter_map(|file| file.path.as_deref()).map(Path::to_owned).collect()
     }
 
     /// Every text, in the order they were read.
