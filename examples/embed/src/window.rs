@@ -162,8 +162,8 @@ impl View {
             .ok_or("the adapter cannot draw onto this window")?;
         settings.format = format;
         surface.configure(&device, &settings);
-        let engine = world::engine(device, queue, format, set)?;
-        let camera = world::camera(&engine)?;
+        let mut engine = world::engine(device, queue, format, set)?;
+        let camera = world::camera(&mut engine)?;
         let targets = engine.targets([settings.width, settings.height], 1, world::EXPOSURE);
         let (keys, last) = (HashSet::new(), Instant::now());
         Ok(Self { window, surface, settings, engine, targets, camera, keys, is_turning: false, last })
