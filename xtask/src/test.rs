@@ -5,7 +5,7 @@ use crate::judges;
 use crate::run::{Failure, Outcome, Steps, capture, cargo, run, shown};
 
 /// What must not be in the tree of a build without default features: a GPU stack and what only the command line needs.
-const ONLY_BY_FEATURE: [&str; 4] = ["wgpu", "clap", "image", "indicatif"];
+const ONLY_BY_FEATURE: [&str; 5] = ["wgpu", "clap", "image", "indicatif", "notify"];
 
 /// Runs all steps and sums them up, also after a failure.
 pub(crate) fn test(install: Install) -> Outcome {
@@ -44,7 +44,9 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
     steps.step("examples", || {
         run(&mut cargo("build --examples"))?;
         run(cargo("run --quiet --example standalone").envs(driver.clone()))?;
-        run(cargo("run --quiet --example host_shader").envs(driver.clone()))
+        run(cargo("run --quiet --example host_shader").envs(driver.clone()))?;
+        let shot = "run --quiet -p embed -- --size 96x54 --samples 1 --shot target/tmp/embed.png";
+        run(cargo(shot).envs(driver.clone()))
     })?;
     steps.step("benchmarks build", || run(&mut cargo("bench --no-run")))?;
     steps.step("judges", || {
