@@ -1,6 +1,6 @@
 //! A WGSL text → the same program in GLSL ES 3.00, as its author wrote it.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::helpers::Helpers;
 use super::names::Names;
@@ -83,6 +83,10 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
         helpers: Helpers::default(),
         own_names: FxHashMap::default(),
         places: FxHashMap::default(),
+        roots: FxHashMap::default(),
+        later: Vec::new(),
+        as_place: false,
+        stray: stray(&typed),
         instead,
         values: values::of(request.module, &typed),
         loops: Vec::new(),
@@ -206,6 +210,20 @@ fn ends(typed: &Typed<'_>) -> Vec<Tok> {
         end
     };
     tree.declarations.iter().map(rest_of_line).collect()
+}
+
+/// Semicolons between declarations.
+fn stray(typed: &Typed<'_>) -> FxHashSet<Tok> {
+    let tree = &typed.tree;
+    let mut stray = FxHashSet::default();
+    let mut from = 0;
+    for decl in
+        tree.declarations.iter().map(|decl| (decl.first, decl.last)).chain([(tree.tokens.len() as Tok, 0)])
+    {
+        stray.extend((from..decl.0).filter(|tok| tree.kind(*tok) == TokenKind::Semicolon));
+        from = decl.1 + 1;
+    }
+    stray
 }
 
 /// Where the comments that belong to `decl` start: past the last empty line before it.

@@ -88,7 +88,7 @@ const fn as_uint(name: &'static str, body: &'static str, uses: &'static [(&'stat
     Plain { name, kind: Kind::Int, takes: X, gives: Part::T, body, uses }
 }
 
-const PLAIN: [Plain; 32] = [
+const PLAIN: [Plain; 36] = [
     plain("div", Kind::Int, AB, "return a / (b == 0 || (b == -1 && a == -2147483647 - 1) ? 1 : b);"),
     plain("div", Kind::Uint, AB, "return a / (b == 0u ? 1u : b);"),
     Plain {
@@ -105,6 +105,11 @@ const PLAIN: [Plain; 32] = [
         gives: Part::Of(Kind::Uint),
         ..plain("uint", Kind::Float, X, "return uint(clamp(x, 0.0, 4294967040.0));")
     },
+    // What a variable holds at this moment: operands that are variables are read after all calls around them, by some.
+    plain("now", Kind::Bool, X, "return x;"),
+    plain("now", Kind::Int, X, "return x;"),
+    plain("now", Kind::Uint, X, "return x;"),
+    plain("now", Kind::Float, X, "return x;"),
     plain("select", Kind::Bool, SELECT, "return c ? t : f;"),
     plain("select", Kind::Int, SELECT, "return c ? t : f;"),
     plain("select", Kind::Uint, SELECT, "return c ? t : f;"),

@@ -3,6 +3,7 @@
 
 mod emit;
 mod entry;
+mod evaluation;
 mod helpers;
 mod names;
 mod order;

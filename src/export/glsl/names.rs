@@ -94,7 +94,9 @@ fn plain(name: &str) -> String {
             plain.push_str(&format!("u{:04x}", u32::from(c)));
         }
     }
-    if plain.starts_with("gl_") || plain == "_" {
+    // GLSL's own, its macros', and WebGL's.
+    let is_theirs = ["gl_", "GL_", "webgl_", "_webgl_"].iter().any(|start| plain.starts_with(start));
+    if is_theirs || plain == "_" {
         plain.insert(0, 'n');
     }
     plain

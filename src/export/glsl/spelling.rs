@@ -57,7 +57,12 @@ pub(super) fn number(value: f64, scalar: Scalar) -> Option<String> {
 
 /// The shortest literal that reads as `value`.
 pub(super) fn float(value: f32) -> String {
-    let plain = format!("{value:?}"); // `1e-8`, `0.5`, `3.4028235e38`
+    // The shortest of the greatest float is a little above it, and some take that for infinite.
+    let plain = if value.abs() == f32::MAX {
+        format!("{}3.4028234e38", if value < 0.0 { "-" } else { "" })
+    } else {
+        format!("{value:?}") // `1e-8`, `0.5`
+    };
     if plain.contains(['.', 'e']) { plain } else { format!("{plain}.0") }
 }
 
@@ -68,6 +73,8 @@ mod tests {
     #[test]
     fn numbers_are_literals_of_their_type() {
         assert_eq!(number(1.0, Scalar::F32).as_deref(), Some("1.0"));
+        assert_eq!(number(f64::from(f32::MAX), Scalar::F32).as_deref(), Some("3.4028234e38"));
+        assert_eq!("3.4028234e38".parse(), Ok(f32::MAX));
         assert_eq!(number(1e-8, Scalar::F32).as_deref(), Some("1e-8"));
         assert_eq!(number(-2147483648.0, Scalar::I32).as_deref(), Some("(-2147483647 - 1)"));
         assert_eq!(number(4294967295.0, Scalar::U32).as_deref(), Some("4294967295u"));

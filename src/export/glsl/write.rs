@@ -3,12 +3,13 @@
 //! A cursor stands before the token that comes next. Whoever writes a node of the tree finds the cursor before its first
 //! token, or anywhere else, and leaves it behind its last. Blank space and comments on the way are copied.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::evaluation::Root;
 use super::helpers::Helpers;
 use super::names::Names;
 use super::spelling;
-use crate::export::typed::{Opaque, Scalar, Tok, Ty, Typed, Types, Unreadable};
+use crate::export::typed::{ExprId, Opaque, Scalar, Tok, Ty, Typed, Types, Unreadable};
 use crate::source::Span;
 use crate::syntax::TokenKind;
 
@@ -51,6 +52,14 @@ pub(super) struct Writer<'w, 'a> {
     pub(super) own_names: FxHashMap<u32, String>,
     /// What a local pointer points to.
     pub(super) places: FxHashMap<u32, String>,
+    /// Which variable a local pointer points into.
+    pub(super) roots: FxHashMap<u32, Root>,
+    /// What is evaluated after what is being written, in the same expression, and does more than give a value.
+    pub(super) later: Vec<ExprId>,
+    /// Whether the expression that comes next is written to, or part of a larger place.
+    pub(super) as_place: bool,
+    /// Semicolons of the module that end nothing: GLSL ES has none.
+    pub(super) stray: FxHashSet<Tok>,
     /// What is written for a variable of the module.
     pub(super) instead: FxHashMap<u32, String>,
     /// What naga has worked out of constants.
@@ -104,6 +113,7 @@ impl Writer<'_, '_> {
             TokenKind::Blank => blank(word, &mut self.out),
             TokenKind::LineComment => line_comment(word, &mut self.out),
             TokenKind::BlockComment => block_comment(word, &mut self.out),
+            TokenKind::Semicolon if self.stray.contains(&tok) => {}
             _ => self.out.push_str(word),
         }
     }

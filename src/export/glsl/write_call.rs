@@ -10,26 +10,31 @@ impl Writer<'_, '_> {
     pub(super) fn call(&mut self, id: ExprId, wanted: Wanted) -> Written {
         let ExprKind::Call { callee, arguments } = &self.typed.tree.expr(id).kind else { return Ok(()) };
         let (callee, arguments) = (*callee, arguments.clone());
-        match self.typed.meaning(callee) {
-            Meaning::Global(index) => match self.typed.tree.declarations[index as usize].kind {
-                DeclKind::Function(_) => {
-                    let takes: Vec<Wanted> =
-                        self.typed.parameters(index).iter().map(|ty| self.types.scalar(*ty)).collect();
-                    let name = self.global_name(index);
-                    self.named(id, &name, &arguments, |at| takes.get(at).copied().flatten())
+        let is_function =
+            |index: u32| matches!(self.typed.tree.declarations[index as usize].kind, DeclKind::Function(_));
+        match (self.typed.meaning(callee), self.typed.ty(id)) {
+            (Meaning::Global(index), _) if is_function(index) => {
+                let takes: Vec<Wanted> =
+                    self.typed.parameters(index).iter().map(|ty| self.types.scalar(*ty)).collect();
+                let name = self.global_name(index);
+                // What comes later in the expression around it finds this call done.
+                let later = std::mem::take(&mut self.later);
+                let outcome = self.named(id, &name, &arguments, |at| takes.get(at).copied().flatten());
+                self.later = later;
+                outcome
+            }
+            // By its name, or by that of an alias.
+            (Meaning::Global(_) | Meaning::Type(_), Ty::Struct(index)) => {
+                if arguments.is_empty() {
+                    return self.empty(id);
                 }
-                DeclKind::Struct { .. } => {
-                    if arguments.is_empty() {
-                        return self.empty(id);
-                    }
-                    let takes: Vec<Wanted> =
-                        self.typed.members(index).map(|(_, ty)| self.types.scalar(ty)).collect();
-                    let name = self.global_name(index);
-                    self.named(id, &name, &arguments, |at| takes.get(at).copied().flatten())
-                }
-                _ => self.construct(id, &arguments, wanted),
-            },
-            Meaning::Type(_) | Meaning::Inferred(_) => {
+                let takes: Vec<Wanted> =
+                    self.typed.members(index).map(|(_, ty)| self.types.scalar(ty)).collect();
+                let name = self.global_name(index);
+                self.named(id, &name, &arguments, |at| takes.get(at).copied().flatten())
+            }
+            (Meaning::Global(_), _) => self.construct(id, &arguments, wanted),
+            (Meaning::Type(_) | Meaning::Inferred(_), _) => {
                 let is_bitcast = self.typed.tree.word(self.typed.tree.expr(callee).first) == "bitcast";
                 if is_bitcast { self.bitcast(id, &arguments) } else { self.construct(id, &arguments, wanted) }
             }
@@ -69,7 +74,7 @@ impl Writer<'_, '_> {
     fn list(&mut self, id: ExprId, arguments: &[ExprId], wanted: impl Fn(usize) -> Wanted) -> Written {
         for (at, argument) in arguments.iter().enumerate() {
             self.upto(self.typed.tree.expr(*argument).first);
-            self.expr(*argument, wanted(at))?;
+            self.before(&arguments[at + 1..], |writer| writer.expr(*argument, wanted(at)))?;
         }
         self.close(self.typed.tree.expr(id).last);
         Ok(())
@@ -137,12 +142,12 @@ impl Writer<'_, '_> {
         let row = self.row(element, span)?;
         self.put(&name);
         self.skip_to(self.opening(id));
-        for argument in arguments {
+        for (at, argument) in arguments.iter().enumerate() {
             self.upto(self.typed.tree.expr(*argument).first);
             if let Some(row) = &row {
                 self.put(&format!("{row}("));
             }
-            self.expr(*argument, Some(scalar))?;
+            self.before(&arguments[at + 1..], |writer| writer.expr(*argument, Some(scalar)))?;
             if row.is_some() {
                 self.put(")");
             }
@@ -224,10 +229,11 @@ impl Writer<'_, '_> {
             "fma" => {
                 let [a, b, c] = arguments else { return self.refuse("this call", span) };
                 self.put("(");
-                for (part, before) in [(*a, "("), (*b, ") * ("), (*c, ") + (")] {
-                    self.put(before);
+                for (at, (part, between)) in [(*a, "("), (*b, ") * ("), (*c, ") + (")].into_iter().enumerate()
+                {
+                    self.put(between);
                     self.skip_to(self.typed.tree.expr(part).first);
-                    self.sized(part, size, scalar)?;
+                    self.before(&arguments[at + 1..], |writer| writer.sized(part, size, scalar))?;
                 }
                 self.put("))");
                 self.skip_to(self.typed.tree.expr(id).last + 1);

@@ -19,6 +19,10 @@ impl<'w> Writer<'w, '_> {
             DeclKind::Override { value, .. } => self.constant(index, *value)?,
             DeclKind::Var { space, value, .. } => self.variable(index, *space, *value)?,
             DeclKind::Struct { open, members, close } => {
+                self.upto(decl.name);
+                let name = self.global_name(index);
+                self.put(&name);
+                self.cursor = decl.name + 1;
                 self.through(*open);
                 for member in members {
                     self.member_of_struct(member, *close)?;
@@ -42,13 +46,16 @@ impl<'w> Writer<'w, '_> {
         let written = self.type_of(ty, span)?;
         self.put(&format!("const {written} {}", self.global_name(index)));
         let asked = self.helpers.asked();
+        let fits =
+            own.scalar().is_none_or(|scalar| !scalar.is_abstract() || self.fits(value, scalar.concrete()));
         let text = self.apart(|writer| {
+            if !fits {
+                return Ok(());
+            }
             writer.cursor = decl.name + 1;
             writer.skip_to(writer.equals(decl.name, value));
             writer.expr(value, writer.types.scalar(ty))
         })?;
-        let fits =
-            own.scalar().is_none_or(|scalar| !scalar.is_abstract() || self.fits(value, scalar.concrete()));
         if self.helpers.asked() == asked && self.typed.is_constant(value) && fits {
             self.put(" ");
             self.put(&text);

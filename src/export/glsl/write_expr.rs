@@ -19,6 +19,10 @@ impl Writer<'_, '_> {
             self.cursor = last + 1;
             return Ok(());
         }
+        let as_place = std::mem::take(&mut self.as_place);
+        if !as_place && self.changes_later(id) {
+            return self.now(id, wanted);
+        }
         match self.typed.tree.expr(id).kind {
             ExprKind::Literal => {
                 let text = self.literal(id, wanted)?;
@@ -27,25 +31,42 @@ impl Writer<'_, '_> {
             ExprKind::Name { .. } => self.name(id, wanted)?,
             ExprKind::Paren { inner } => {
                 self.through(first);
+                self.as_place = as_place;
                 self.expr(inner, wanted)?;
                 self.upto(last);
                 self.through(last);
             }
             ExprKind::Member { base, name } => self.member(id, base, name, wanted)?,
-            ExprKind::Index { base, index } => {
-                self.expr(base, wanted)?;
-                self.upto(self.typed.tree.expr(index).first);
-                self.expr(index, Some(Scalar::I32))?;
-                self.through(last);
-                if matches!(self.typed.ty(id), Ty::Array(_)) {
-                    self.put(".row");
-                }
-            }
+            ExprKind::Index { base, index } => self.index(id, base, index, wanted)?,
             ExprKind::Unary { operand } => self.unary(id, operand, wanted)?,
             ExprKind::Binary { left, operator, right } => self.binary(id, left, operator, right, wanted)?,
             ExprKind::Call { .. } => self.call(id, wanted)?,
         }
         self.cursor = last + 1;
+        Ok(())
+    }
+
+    fn index(&mut self, id: ExprId, base: ExprId, index: ExprId, wanted: Wanted) -> Written {
+        // An array of abstract numbers is declared as what they become by themselves.
+        let ty = self.typed.ty(id);
+        let settled = self.settled(ty, wanted);
+        let of_array = matches!(self.typed.ty(base), Ty::Array(_));
+        let converted =
+            of_array && ty.scalar().is_some_and(|own| own.is_abstract() && own.concrete() != settled);
+        if converted {
+            self.put(&format!("{}(", spelling::numeric(ty.with(settled))));
+        }
+        self.as_place = true;
+        self.expr(base, if of_array { None } else { wanted })?;
+        self.upto(self.typed.tree.expr(index).first);
+        self.expr(index, Some(Scalar::I32))?;
+        self.through(self.typed.tree.expr(id).last);
+        if matches!(ty, Ty::Array(_)) {
+            self.put(".row");
+        }
+        if converted {
+            self.put(")");
+        }
         Ok(())
     }
 
@@ -65,11 +86,12 @@ impl Writer<'_, '_> {
     fn folded(&self, id: ExprId, wanted: Wanted) -> Option<String> {
         let ty = self.typed.ty(id);
         let Ty::Scalar(scalar) = ty else { return None };
-        let is_calculation = matches!(
-            self.typed.tree.expr(self.typed.tree.bare(id)).kind,
-            ExprKind::Binary { .. } | ExprKind::Unary { .. }
-        );
-        if !scalar.is_abstract() || !is_calculation {
+        if scalar == Scalar::Bool {
+            return self.compared(id).map(|holds| holds.to_string());
+        }
+        let kind = &self.typed.tree.expr(self.typed.tree.bare(id)).kind;
+        let is_calculation = matches!(kind, ExprKind::Binary { .. } | ExprKind::Unary { .. });
+        if !is_calculation || !(scalar.is_abstract() || self.is_remainder_of_negatives(id)) {
             return None;
         }
         let settled = self.settled(ty, wanted);
@@ -82,6 +104,32 @@ impl Writer<'_, '_> {
             Number::Int(value) => (value as f64, self.stays_in_range(id, settled)),
         };
         if is_kept { None } else { spelling::number(exact, settled) }
+    }
+
+    /// Whether a comparison of abstract numbers holds, where GLSL would come to another answer or to none.
+    fn compared(&self, id: ExprId) -> Option<bool> {
+        let ExprKind::Binary { left, operator, right } = self.typed.tree.expr(self.typed.tree.bare(id)).kind
+        else {
+            return None;
+        };
+        let is_abstract = |id| self.typed.ty(id).scalar().is_some_and(Scalar::is_abstract);
+        if !is_abstract(left) || !is_abstract(right) {
+            return None;
+        }
+        let (a, b) = (self.typed.number(left)?, self.typed.number(right)?);
+        let (exact, single) = a.compare(self.typed.tree.word(operator), b)?;
+        let stay = [left, right].iter().all(|id| self.stays_in_range(*id, Scalar::I32));
+        (exact != single || !stay).then_some(exact)
+    }
+
+    /// Whether `id` is what a division leaves of constant integers that GLSL does not define, one of them being negative.
+    fn is_remainder_of_negatives(&self, id: ExprId) -> bool {
+        let ExprKind::Binary { left, operator, right } = self.typed.tree.expr(self.typed.tree.bare(id)).kind
+        else {
+            return false;
+        };
+        let is_negative = |id| self.typed.integer(id).is_some_and(|value| value < 0);
+        self.typed.tree.word(operator) == "%" && (is_negative(left) || is_negative(right))
     }
 
     /// Whether no step of an integer calculation leaves `scalar`, nor rounds in it.
@@ -99,7 +147,10 @@ impl Writer<'_, '_> {
             ExprKind::Binary { left, operator, right } => {
                 let operator = self.typed.tree.word(*operator);
                 let is_plain = matches!(operator, "+" | "-" | "*") || scalar != Scalar::F32;
-                is_plain && self.stays_in_range(*left, scalar) && self.stays_in_range(*right, scalar)
+                is_plain
+                    && !self.is_remainder_of_negatives(id)
+                    && self.stays_in_range(*left, scalar)
+                    && self.stays_in_range(*right, scalar)
             }
             _ => true,
         }
@@ -118,10 +169,17 @@ impl Writer<'_, '_> {
             (Scalar::F32, Some(Number::Float { .. })) => {
                 // GLSL wants a point or an exponent, and has no `h`.
                 let bare = word.trim_end_matches(['f', 'h']);
-                Some(if bare.contains(['.', 'e', 'E']) { bare.to_owned() } else { format!("{bare}.0") })
+                let is_rounded_down = bare.parse::<f64>().is_ok_and(|value| value > f64::from(f32::MAX));
+                Some(if is_rounded_down {
+                    spelling::float(f32::MAX) // others take what is above it for infinite
+                } else if bare.contains(['.', 'e', 'E']) {
+                    bare.to_owned()
+                } else {
+                    format!("{bare}.0")
+                })
             }
             (Scalar::F32, Some(Number::Int(value))) if is_hex => spelling::number(value as f64, settled),
-            (Scalar::F32, Some(Number::Int(_))) => Some(format!("{word}.0")),
+            (Scalar::F32, Some(Number::Int(_))) => Some(format!("{}.0", word.trim_end_matches('f'))),
             (Scalar::U32, Some(Number::Int(value))) if u32::try_from(value).is_ok() => {
                 Some(format!("{}u", word.trim_end_matches('u')))
             }
@@ -164,11 +222,10 @@ impl Writer<'_, '_> {
                     return self
                         .refuse("an array of abstract numbers read as two types", self.typed.tree.span(id));
                 }
-                if let Some(text) = self
-                    .typed
-                    .integer(id)
-                    .and_then(|value| spelling::number(value as f64, settled))
-                    .filter(|_| settled == Scalar::U32)
+                let value = self.typed.integer(id);
+                let fits = value.is_none_or(|value| i32::try_from(value).is_ok());
+                if let Some(text) = value.and_then(|value| spelling::number(value as f64, settled))
+                    && (settled == Scalar::U32 || !fits)
                 {
                     self.put(&text); // it may not fit where it is declared
                     return Ok(());
@@ -182,6 +239,7 @@ impl Writer<'_, '_> {
     }
 
     fn member(&mut self, id: ExprId, base: ExprId, name: Tok, wanted: Wanted) -> Written {
+        self.as_place = true;
         self.expr(base, wanted)?;
         self.upto(name);
         let word = self.typed.tree.word(name);
@@ -203,6 +261,7 @@ impl Writer<'_, '_> {
         match self.typed.tree.word(first) {
             "&" | "*" => {
                 self.skip_to(start);
+                self.as_place = true;
                 self.expr(operand, wanted)
             }
             "!" if self.typed.ty(id).is_vector() => {
@@ -224,7 +283,7 @@ impl Writer<'_, '_> {
         let word = self.typed.tree.word(operator);
         if matches!(word, "<<" | ">>") {
             let wanted = Some(self.settled(self.typed.ty(id), wanted));
-            self.expr(left, wanted)?;
+            self.before(&[right], |writer| writer.expr(left, wanted))?;
             self.upto(operator);
             self.through(operator);
             return self.shift_amount(right);
@@ -234,11 +293,17 @@ impl Writer<'_, '_> {
             b,
             if matches!(word, "+" | "-" | "*" | "/" | "%" | "&" | "|" | "^") { wanted } else { None },
         );
-        let form =
-            self.form(word, a, b, scalar, right, self.typed.is_constant(id), self.typed.has_effect(right));
+        // GLSL leaves open what is left over of negative numbers, also of constant ones.
+        let is_known = scalar != Scalar::I32
+            || word != "%"
+            || [left, right].iter().all(|id| self.typed.integer(*id).is_some_and(|value| value >= 0));
+        let is_constant = self.typed.is_constant(id) && is_known;
+        let form = self.form(word, a, b, scalar, right, is_constant, self.typed.has_effect(right));
         match form {
             Form::Operator => {
-                self.expr(left, Some(scalar))?;
+                let short_circuits = matches!(word, "&&" | "||");
+                let later = if short_circuits { &[][..] } else { &[right][..] };
+                self.before(later, |writer| writer.expr(left, Some(scalar)))?;
                 self.upto(operator);
                 self.through(operator);
                 self.expr(right, Some(scalar))
@@ -274,7 +339,7 @@ impl Writer<'_, '_> {
     /// `left, right`, both of the same size.
     fn pair(&mut self, left: ExprId, operator: Tok, right: ExprId, scalar: Scalar) -> Written {
         let size = self.typed.ty(left).size().max(self.typed.ty(right).size());
-        self.sized(left, size, scalar)?;
+        self.before(&[right], |writer| writer.sized(left, size, scalar))?;
         self.skip_to(operator);
         self.put(",");
         self.cursor = operator + 1;

@@ -95,6 +95,9 @@ impl<'w> Writer<'w, '_> {
             // GLSL has no pointers: whoever reads this one is given what it points to.
             let word = self.names.get(self.typed.tree.word(local.name)).to_owned();
             let (before, place) = self.place(value, &word)?;
+            if let Some(root) = self.root(value) {
+                self.roots.insert(local.number, root);
+            }
             self.put(&format!("{before}/* {word} is {place} */"));
             self.places.insert(local.number, place);
             self.cursor = self.typed.tree.expr(value).last + 1;
@@ -132,8 +135,11 @@ impl<'w> Writer<'w, '_> {
         let ty = self.types.pointee(self.typed.ty(left));
         let scalar = self.types.scalar(ty).unwrap_or(Scalar::F32);
         let operation = word.strip_suffix('=').unwrap_or_default();
-        if matches!(operation, "<<" | ">>") {
-            self.expr(left, None)?;
+        // The left side is read before the right one is worked out.
+        let reads_first =
+            !operation.is_empty() && self.root(left).is_some_and(|root| self.changes(right, root));
+        if matches!(operation, "<<" | ">>") && !reads_first {
+            self.before(&[right], |writer| writer.written_to(left))?;
             self.upto(operator);
             self.through(operator);
             return self.shift_amount(right);
@@ -145,39 +151,53 @@ impl<'w> Writer<'w, '_> {
                 self.form(operation, ty, self.typed.ty(right), scalar, right, false, has_effect)
             }
         };
-        if let Form::Operator = form {
-            self.expr(left, None)?;
+        if let Form::Operator = form
+            && !reads_first
+        {
+            self.before(&[right], |writer| writer.written_to(left))?;
             self.upto(operator);
             self.through(operator);
             return self.expr(right, Some(scalar));
         }
         // The place is read as well as written.
-        let (before, place) = if self.typed.has_effect(left) {
+        let (before, place) = if self.typed.has_effect(left) || reads_first {
             self.place(left, "place")?
         } else {
             let place = self.apart(|writer| {
                 writer.cursor = writer.typed.tree.expr(left).first;
-                writer.expr(left, None)
+                writer.written_to(left)
             })?;
             (String::new(), place)
         };
+        let read =
+            if reads_first { self.now_of(&place, ty, self.typed.tree.span(left))? } else { place.clone() };
         if !before.is_empty() {
             self.put(&format!("{{ {before}"));
         }
         match form {
             Form::Function(name) => {
-                self.put(&format!("{place} = {name}({place}, "));
+                self.put(&format!("{place} = {name}({read}, "));
                 self.cursor = operator + 1;
                 self.sized(right, ty.size(), scalar)?;
                 self.put(")");
             }
             Form::Logical(text) => {
-                self.put(&format!("{place} = {place} {text} ("));
+                self.put(&format!("{place} = {read} {text} ("));
                 self.cursor = self.typed.tree.expr(right).first;
                 self.expr(right, None)?;
                 self.put(")");
             }
-            Form::Operator | Form::Remainder => {}
+            Form::Operator => {
+                self.put(&format!("{place} = {read} {operation} ("));
+                self.cursor = self.typed.tree.expr(right).first;
+                if matches!(operation, "<<" | ">>") {
+                    self.shift_amount(right)?;
+                } else {
+                    self.expr(right, Some(scalar))?;
+                }
+                self.put(")");
+            }
+            Form::Remainder => {}
         }
         if !before.is_empty() {
             self.put("; }");

@@ -292,6 +292,8 @@ impl<'a> Typer<'a> {
     /// Types the expression `id` and all in it.
     pub(super) fn expr(&mut self, id: ExprId) -> Parsed<Ty> {
         let (ty, constant) = self.of_expr(id)?;
+        // Only what is constant stays abstract: `[1, 2][i]` is an `i32`.
+        let ty = if constant { ty } else { self.typed.types.concrete(ty) };
         self.typed.ty[id.index()] = ty;
         self.typed.constant[id.index()] = constant;
         Ok(ty)
@@ -336,7 +338,7 @@ impl<'a> Typer<'a> {
             Parts::Binary(left, operator, right) => {
                 let (a, b) = (self.expr(left)?, self.expr(right)?);
                 let constant = self.typed.is_constant(left) && self.typed.is_constant(right);
-                match binary(self.typed.tree.word(operator), a, b) {
+                match binary(self.typed.tree.word(operator), a, b, constant) {
                     Some(ty) => Ok((ty, constant)),
                     None => self.unreadable(id, "this operator"),
                 }
@@ -476,14 +478,17 @@ fn literal(word: &str) -> Ty {
 }
 
 /// What an operator gives for operands of these types.
-fn binary(operator: &str, a: Ty, b: Ty) -> Option<Ty> {
+fn binary(operator: &str, a: Ty, b: Ty, constant: bool) -> Option<Ty> {
     let together = || builtin::together(&[a, b]);
     Some(match operator {
         "&&" | "||" => Ty::BOOL,
         "==" | "!=" | "<" | "<=" | ">" | ">=" => together()?.with(Scalar::Bool),
         "<<" | ">>" => {
-            let is_abstract = a.scalar()?.is_abstract() && b.scalar()?.is_abstract();
-            if is_abstract { a } else { a.with(a.scalar()?.concrete()) }
+            if constant {
+                a
+            } else {
+                a.with(a.scalar()?.concrete())
+            }
         }
         "*" => match (a, b) {
             (Ty::Matrix(_, rows, s), Ty::Vector(_, t)) => Ty::Vector(rows, s.unify(t)),

@@ -1,5 +1,7 @@
 //! What constant expressions of abstract numbers come to: WGSL works them out in 64 bits before it picks a type.
 
+use std::cmp::Ordering;
+
 use super::infer::{Meaning, Typed};
 use super::tree::*;
 
@@ -23,6 +25,27 @@ impl Number {
             Self::Int(value) => value as f32,
             Self::Float { single, .. } => single,
         }
+    }
+
+    /// Whether the comparison `operator` with `other` holds, and whether it does for 32-bit floats.
+    pub(in crate::export) fn compare(self, operator: &str, other: Self) -> Option<(bool, bool)> {
+        let holds = |order: Option<Ordering>| {
+            Some(match operator {
+                "==" => order == Some(Ordering::Equal),
+                "!=" => order != Some(Ordering::Equal),
+                "<" => order == Some(Ordering::Less),
+                "<=" => matches!(order, Some(Ordering::Less | Ordering::Equal)),
+                ">" => order == Some(Ordering::Greater),
+                ">=" => matches!(order, Some(Ordering::Greater | Ordering::Equal)),
+                _ => return None,
+            })
+        };
+        if let (Self::Int(a), Self::Int(b)) = (self, other) {
+            let order = holds(Some(a.cmp(&b)))?;
+            return Some((order, order));
+        }
+        let exact = holds(self.exact().partial_cmp(&other.exact()))?;
+        Some((exact, holds(self.single().partial_cmp(&other.single()))?))
     }
 }
 
