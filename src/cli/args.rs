@@ -339,21 +339,24 @@ pub(super) struct Eval {
 
 const TILES: &str = "\
 Examples:
-  orogen heightmap alpine -o land.png                                   2048 m around the origin, every 2 m
+  orogen heightmap alpine -o land.png                     2048 m from the origin on, every 2 m
   orogen heightmap alpine --origin -9570,-6988 --size 1024 --pixels 513 -o a.r16
-  orogen heightmap alpine --origin -8546,-6988 --size 1024 --pixels 513 -o b.r16     its eastern neighbour
-  orogen heightmap alpine --size 30000 --pixels 1025 --footprint 29 -o far.exr       far land, not aliased
+  orogen heightmap alpine --origin -8546,-6988 --size 1024 --pixels 513 -o b.r16
+                                                          and its eastern neighbour
+  orogen heightmap alpine --size 30000 --pixels 1025 --footprint 29 -o far.exr
+                                                          far land, without aliasing
 
-The samples reach from edge to edge: SIZE / (N - 1) apart, and the last column of a tile is the first of its
-eastern neighbour, bit for bit, in every format. So with tiles of 1024 m the next one's origin is 1024 m further.
-Rows run from north to south (z), each from west to east (x); the origin is the north-western sample.
+The samples reach from edge to edge, SIZE / (N - 1) apart: the last column of a tile is the first
+of its eastern neighbour, bit for bit, in every format. So the next tile's origin is SIZE further.
+Rows run from north to south (z), each from west to east (x); the origin is the north-western
+sample.
 
-What 16 bits mean is the same for all tiles of a preset: the heights that its land can have anywhere, unless
---range says otherwise. In an engine: height = LOW + value / 65535 * (HIGH - LOW).
+What 16 bits mean is the same for all tiles of a preset: the heights that its land can have
+anywhere, unless --range says otherwise. height = LOW + value / 65535 * (HIGH - LOW).
   Unreal    .r16 or .png, N = 1009, 2017, 4033; scale Z = 100 * (HIGH - LOW) / 512
-  Unity     .r16 as RAW, 16 bit, Windows byte order, N = 513, 1025, 2049; terrain height = HIGH - LOW
+  Unity     .r16 as RAW, 16 bit, Windows byte order, N = 513, 1025, 2049; height = HIGH - LOW
   Godot     .exr, 32-bit float, as it is
-FILE.json, written beside, has range, origin, spacing, and the lowest and highest height of the tile.";
+FILE.json, written beside, has range, origin, spacing, and the tile's lowest and highest height.";
 
 #[derive(Args)]
 #[command(after_long_help = TILES, after_help = "--help says more: how tiles fit together, and what engines want.")]

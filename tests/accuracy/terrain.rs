@@ -75,8 +75,8 @@ fn the_land_s_slope_is_that_of_its_height() {
 }
 
 #[test]
-fn the_land_stays_under_its_ceiling() {
-    let mut report = Report::new("Terrain", "the_land_stays_under_its_ceiling");
+fn the_land_stays_between_its_floor_and_its_ceiling() {
+    let mut report = Report::new("Terrain", "the_land_stays_between_its_floor_and_its_ceiling");
     let fragment = "#include <terrain/height.wgsl>
          fn lowest_and_highest_around(p: vec2f) -> vec2f {
              var bounds = vec2f(1e9, -1e9);

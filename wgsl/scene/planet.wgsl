@@ -8,6 +8,7 @@
 #include <frame.wgsl>
 #include <geometry/globe.wgsl>
 #include <geometry/ray.wgsl>
+#include <light/daylight.wgsl>
 #include <light/outdoor.wgsl>
 #include <march/globe.wgsl> as globe with above = planet_above
 #include <noise/interleaved_gradient.wgsl>
@@ -16,6 +17,7 @@
 #include <planet/material.wgsl>
 #include <quality.wgsl>
 #include <scene/weather.wgsl>
+#include <sky/air.wgsl>
 #include <sky/sky.wgsl>
 
 /// Whether there is a sea.
@@ -316,6 +318,43 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     }
     radiance = mix(radiance, cloud_radiance, cloud_opacity);
     return Traced(radiance, way);
+}
+
+/// The light that falls on a thing of a host's own at `position` (m), seen from `distance` (m) away: the sun, as far as the
+/// ground, trees and clouds leave it, and the sky. What the host's things keep from each other is the host's.
+fn scene_daylight(position: vec3f, distance: f32) -> Daylight {
+    var day = weather_daylight(position);
+    let footprint = camera_pixel_angle() * distance;
+    let up = planet_up(position);
+    let climb = dot(up, day.to_sun);
+    var seen = weather_sun_seen(position, day);
+#if planet.clouds
+    let below = shell.height - planet_altitude(position);
+    if below > 0.0 {
+        let pierced = planet_axes() * planet_up(position + below / max(climb, 0.08) * day.to_sun);
+        seen *= shell_transmittance(shell_depth(shell_at(pierced, footprint / sky.ground_radius)));
+    }
+#endif
+#if planet.shadows
+    let start = max(footprint, 1.0);
+    let reach = min(planet_ceiling() / max(climb, 0.04), 200000.0);
+    if seen > 0.0 && climb > -0.1 && reach > start {
+        seen *= globe_shadow(position, day.to_sun, max(day.radius, 0.004), start, reach, footprint, SHADOW_LOOKS);
+    }
+#endif
+#if planet.trees
+    if seen > 0.0 {
+        seen *= trees_shadow(position, footprint, day);
+    }
+#endif
+    day.sun *= seen;
+    return day;
+}
+
+/// Air and clouds between `origin` (m) and what a host draws `distance` (m) away in the unit `direction`; `sky_through` has a
+/// radiance seen through them.
+fn scene_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
+    return weather_air(origin, direction, distance, 0.5, weather_daylight(origin + distance * direction));
 }
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.

@@ -50,7 +50,9 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
     steps.step("examples", || {
         run(&mut cargo("build --examples"))?;
         run(cargo("run --quiet --example standalone").envs(driver.clone()))?;
-        run(cargo("run --quiet --example host_shader").envs(driver.clone()))
+        run(cargo("run --quiet --example host_shader").envs(driver.clone()))?;
+        let shot = "run --quiet -p embed -- --size 96x54 --samples 1 --shot target/tmp/embed.png";
+        run(cargo(shot).envs(driver.clone()))
     })?;
     steps.step("a newcomer's crate", || {
         let mut newcomer =

@@ -5,6 +5,7 @@ use glam::camera::rh::proj::directx::orthographic;
 use glam::camera::rh::view::look_to_mat4;
 use glam::{Mat4, Quat, Vec2, Vec3};
 use orogen::render::Gpu;
+use orogen::sample::Sampler;
 
 use crate::camera::Camera;
 use crate::landscape::Landscape;
@@ -76,6 +77,7 @@ pub struct Engine {
     land_group: wgpu::BindGroup,
     shadow_group: wgpu::BindGroup,
     pub things: [Thing; THINGS],
+    ground: Sampler,
     to_sun: Vec3,
     /// The sun's, clockwise from north (degrees), once it was turned.
     azimuth: Option<f32>,
@@ -122,7 +124,8 @@ impl Engine {
         let gpu = Gpu::of(&device, &queue);
         let corners = tower.len() as u32;
         let things = [Thing { foot: Vec3::ZERO, heading: 0.0, scale: 1.0 }; THINGS];
-        let mut engine = Self {
+        let (ground, to_sun) = asked(&gpu, &landscape)?;
+        Ok(Self {
             device,
             queue,
             gpu,
@@ -137,19 +140,26 @@ impl Engine {
             land_group,
             shadow_group,
             things,
-            to_sun: Vec3::Y,
+            ground,
+            to_sun,
             azimuth: None,
-        };
-        engine.ask_for_sun()?;
-        Ok(engine)
+        })
     }
 
-    /// Puts another landscape in: the shaders are new, the meshes are not.
+    /// Puts another landscape in: the shaders are new, the meshes are not. One whose shaders do not fit the engine changes
+    /// nothing.
     pub fn set_landscape(&mut self, landscape: Landscape) -> Fallible<()> {
-        self.pipelines = Pipelines::new(&self.device, &self.layouts, &landscape.module);
+        let scope = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let pipelines = Pipelines::new(&self.device, &self.layouts, &landscape.module);
+        if let Some(error) = pollster::block_on(scope.pop()) {
+            return Err(error.to_string().into());
+        }
+        self.pipelines = pipelines;
         self.land_group = self.layouts.bind_buffer(&self.device, &self.layouts.land, &landscape.params);
+        (self.ground, self.to_sun) = asked(&self.gpu, &landscape)?;
+        self.azimuth = None;
         self.landscape = landscape;
-        self.ask_for_sun()
+        Ok(())
     }
 
     /// Moves the sun so far around the horizon (degrees).
@@ -163,18 +173,9 @@ impl Engine {
         self.to_sun
     }
 
-    fn ask_for_sun(&mut self) -> Fallible<()> {
-        let [to_sun] = self.landscape.ask(&self.gpu, "key_direction()", [], &[[]])?[..] else {
-            return Err("there is one sun".into());
-        };
-        self.to_sun = Vec3::from_array(to_sun);
-        self.azimuth = None;
-        Ok(())
-    }
-
     /// Heights of the ground (m) at these places, east and south.
-    pub fn ground(&self, places: &[[f32; 2]]) -> Fallible<Vec<f32>> {
-        let found: Vec<[f32; 1]> = self.landscape.ask(&self.gpu, "terrain_height(p)", ["x", "y"], places)?;
+    pub fn ground(&mut self, places: &[[f32; 2]]) -> Fallible<Vec<f32>> {
+        let found: Vec<[f32; 1]> = self.ground.run(places)?;
         Ok(found.into_iter().flatten().collect())
     }
 
@@ -314,6 +315,15 @@ impl Engine {
             things,
         }
     }
+}
+
+/// The ground, to be asked for heights, and where the sun is.
+fn asked(gpu: &Gpu, landscape: &Landscape) -> Fallible<(Sampler, Vec3)> {
+    let ground = landscape.sampler(gpu, "terrain_height(p)", &["x", "y"])?;
+    let [to_sun] = landscape.sampler(gpu, "key_direction()", &[])?.run(&[[]])?[..] else {
+        return Err("there is one sun".into());
+    };
+    Ok((ground, Vec3::from_array(to_sun)))
 }
 
 impl Targets {

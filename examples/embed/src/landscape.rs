@@ -46,14 +46,13 @@ impl Landscape {
         Ok(())
     }
 
-    /// Where the ground is, and which way the sun: for what stands on the one and throws shadows in the other.
-    pub fn ask<const N: usize, const M: usize>(
+    /// The land's answers on the engine's own device: where the ground is, which way the sun.
+    pub fn sampler(
         &self,
         gpu: &Gpu,
         what: &str,
-        columns: [&str; N],
-        at: &[[f32; N]],
-    ) -> Result<Vec<[f32; M]>, Box<dyn std::error::Error>> {
-        Ok(Sampler::new(gpu, &library()?, &self.preset, what, &columns)?.run(at)?)
+        columns: &[&str],
+    ) -> Result<Sampler, Box<dyn std::error::Error>> {
+        Ok(Sampler::new(gpu, &library()?, &self.preset, what, columns)?)
     }
 }

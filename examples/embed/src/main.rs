@@ -77,8 +77,8 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn std::error::Error>> {
     let Some(path) = &arguments.shot else { return window(arguments) };
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let (_, device, queue) = world::device(&instance, None)?;
-    let engine = world::engine(device, queue, shot::FORMAT, &arguments.set)?;
-    let camera = world::camera(&engine)?;
+    let mut engine = world::engine(device, queue, shot::FORMAT, &arguments.set)?;
+    let camera = world::camera(&mut engine)?;
     let frame = shot::frame(&engine, &camera, arguments.size, arguments.samples, world::EXPOSURE)?;
     shot::write(&frame, path)?;
     println!("{}", path.display());

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use orogen::Error;
 use orogen::watch::{Made, Recipe, Watch};
 use winit::application::ApplicationHandler;
-use winit::event::{DeviceEvent, DeviceId, ElementState, MouseButton, WindowEvent};
+use winit::event::{ElementState, MouseButton, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
 use winit::keyboard::{KeyCode, PhysicalKey};
 use winit::window::{Window, WindowId};
@@ -69,6 +69,7 @@ struct View {
     targets: Targets,
     camera: Camera,
     keys: HashSet<KeyCode>,
+    cursor: [f32; 2],
     is_turning: bool,
     last: Instant,
 }
@@ -106,13 +107,25 @@ impl ApplicationHandler<News> for App {
             WindowEvent::MouseInput { state, button: MouseButton::Left, .. } => {
                 view.is_turning = state == ElementState::Pressed;
             }
+            WindowEvent::CursorMoved { position, .. } => {
+                let (x, y) = (position.x as f32, position.y as f32);
+                if view.is_turning {
+                    view.camera.azimuth += TURN * (x - view.cursor[0]);
+                    view.camera.elevation =
+                        (view.camera.elevation - TURN * (y - view.cursor[1])).clamp(-1.5, 1.5);
+                    view.window.request_redraw();
+                }
+                view.cursor = [x, y];
+            }
             WindowEvent::KeyboardInput { event, .. } => {
                 let PhysicalKey::Code(key) = event.physical_key else { return };
+                if view.keys.is_empty() {
+                    view.last = Instant::now(); // it stood still until now
+                }
                 match event.state {
                     ElementState::Pressed => view.keys.insert(key),
                     ElementState::Released => view.keys.remove(&key),
                 };
-                view.last = Instant::now();
                 view.window.request_redraw();
             }
             WindowEvent::RedrawRequested => {
@@ -121,16 +134,6 @@ impl ApplicationHandler<News> for App {
                 }
             }
             _ => {}
-        }
-    }
-
-    fn device_event(&mut self, _: &ActiveEventLoop, _: DeviceId, event: DeviceEvent) {
-        if let (Some(view), DeviceEvent::MouseMotion { delta: (x, y) }) = (&mut self.view, event)
-            && view.is_turning
-        {
-            view.camera.azimuth += TURN * x as f32;
-            view.camera.elevation = (view.camera.elevation - TURN * y as f32).clamp(-1.5, 1.5);
-            view.window.request_redraw();
         }
     }
 }
@@ -162,11 +165,22 @@ impl View {
             .ok_or("the adapter cannot draw onto this window")?;
         settings.format = format;
         surface.configure(&device, &settings);
-        let engine = world::engine(device, queue, format, set)?;
-        let camera = world::camera(&engine)?;
+        let mut engine = world::engine(device, queue, format, set)?;
+        let camera = world::camera(&mut engine)?;
         let targets = engine.targets([settings.width, settings.height], 1, world::EXPOSURE);
         let (keys, last) = (HashSet::new(), Instant::now());
-        Ok(Self { window, surface, settings, engine, targets, camera, keys, is_turning: false, last })
+        Ok(Self {
+            window,
+            surface,
+            settings,
+            engine,
+            targets,
+            camera,
+            keys,
+            cursor: [0.0; 2],
+            is_turning: false,
+            last,
+        })
     }
 
     fn resize(&mut self, [width, height]: [u32; 2]) {

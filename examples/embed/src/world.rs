@@ -60,7 +60,7 @@ pub fn stand(engine: &mut Engine) -> Fallible<()> {
 }
 
 /// Where the first picture is taken from.
-pub fn camera(engine: &Engine) -> Fallible<Camera> {
+pub fn camera(engine: &mut Engine) -> Fallible<Camera> {
     let ([east, above, south], height, focal_length) = EYE;
     let ground = engine.ground(&[[east, south]])?;
     let eye = Vec3::new(east, ground.first().ok_or("there is ground everywhere")? + above, south);

@@ -7,19 +7,21 @@
 
 use embed::camera::Camera;
 use embed::engine::Engine;
+use embed::landscape::{self, Landscape};
 use embed::shot::{self, Frame};
 use embed::{tower, world};
 use glam::Vec3;
 
 const SIZE: [u32; 2] = [240, 136];
 
+const SET: [&str; 3] = ["quality=medium", "landscape.trees=false", "weather.cirrus=false"];
+
 /// The example's world without its woods, which heights say nothing about.
 fn engine() -> Engine {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let (_, device, queue) =
         world::device(&instance, None).expect("the tests run on lavapipe: `cargo xtask test`");
-    let set = ["quality=medium", "landscape.trees=false", "weather.cirrus=false"].map(str::to_owned);
-    world::engine(device, queue, shot::FORMAT, &set).unwrap()
+    world::engine(device, queue, shot::FORMAT, &SET.map(str::to_owned)).unwrap()
 }
 
 fn draw(engine: &Engine, camera: &Camera) -> Frame {
@@ -27,7 +29,7 @@ fn draw(engine: &Engine, camera: &Camera) -> Frame {
 }
 
 /// How far the ray from `eye` to `place` stays over the land (m), at the least; the last `margin` m left out.
-fn clearance(engine: &Engine, eye: Vec3, place: Vec3, margin: f32) -> f32 {
+fn clearance(engine: &mut Engine, eye: Vec3, place: Vec3, margin: f32) -> f32 {
     let way = place - eye;
     let steps = ((way.length() - margin) / 1.0).max(2.0);
     let along: Vec<Vec3> = (1..steps as u32).map(|step| eye + way * (step as f32 / way.length())).collect();
@@ -52,18 +54,18 @@ fn axis(engine: &Engine, thing: usize) -> Vec<Vec3> {
 
 #[test]
 fn a_near_tower_hides_far_hills() {
-    let engine = engine();
-    let camera = world::camera(&engine).unwrap();
+    let mut engine = engine();
+    let camera = world::camera(&mut engine).unwrap();
     let frame = draw(&engine, &camera);
     let mut before_land = 0;
     // Its lowest parts stand behind the swell of the meadow before it, or not: heights a step apart can't tell.
     for place in axis(&engine, 0).into_iter().skip(6) {
-        assert!(clearance(&engine, camera.eye, place, 6.0) > 1.0, "nothing stands before it");
+        assert!(clearance(&mut engine, camera.eye, place, 6.0) > 1.0, "nothing stands before it");
         let (_, thing) = shown(&frame, &camera, place).expect("it is in the picture");
         assert_eq!(thing, 1, "the tower at {place}");
         // The same ray goes on into the land, kilometres behind.
         let beyond = camera.eye + 150.0 * (place - camera.eye);
-        before_land += u32::from(clearance(&engine, camera.eye, beyond, 0.0) < -5.0);
+        before_land += u32::from(clearance(&mut engine, camera.eye, beyond, 0.0) < -5.0);
     }
     assert!(before_land >= 10, "{before_land} of 23 points stand before hills");
 }
@@ -73,13 +75,13 @@ fn a_near_hill_hides_a_far_tower_up_to_its_edge() {
     let mut engine = engine();
     // Behind the crest of the hill on the right: its foot is hidden, its head is not.
     engine.stand(1, [-9742.0, -8133.0], 0.0, 2.0).unwrap();
-    let eye = world::camera(&engine).unwrap().eye;
+    let eye = world::camera(&mut engine).unwrap().eye;
     let middle = engine.things[1].foot + 15.0 * Vec3::Y;
     let camera = Camera::looking_at(eye, middle, 180.0);
     let frame = draw(&engine, &camera);
     let (mut hidden, mut seen) = (0, 0);
     for place in axis(&engine, 1) {
-        let clear = clearance(&engine, camera.eye, place, 14.0);
+        let clear = clearance(&mut engine, camera.eye, place, 14.0);
         let (_, thing) = shown(&frame, &camera, place).expect("it is in the picture");
         if clear < -1.5 {
             assert_eq!(thing, 0, "{place} is {clear} m under the hill's edge");
@@ -94,8 +96,8 @@ fn a_near_hill_hides_a_far_tower_up_to_its_edge() {
 
 #[test]
 fn the_land_is_as_deep_as_it_lies() {
-    let engine = engine();
-    let camera = world::camera(&engine).unwrap();
+    let mut engine = engine();
+    let camera = world::camera(&mut engine).unwrap();
     let frame = draw(&engine, &camera);
     let [width, height] = frame.size.map(|side| side as f32);
     let back = camera.clip_from_eye(width / height).1;
@@ -140,7 +142,7 @@ fn brightness(frame: &Frame) -> f32 {
 #[test]
 fn a_tower_in_the_shade_of_a_mountain_is_dark() {
     let mut engine = engine();
-    let camera = world::camera(&engine).unwrap();
+    let camera = world::camera(&mut engine).unwrap();
     let foot = engine.things[0].foot;
     let sunlit = brightness(&draw(&engine, &camera));
     // The nearest place whose way to the sun goes deep through the land.
@@ -150,7 +152,7 @@ fn a_tower_in_the_shade_of_a_mountain_is_dark() {
         .find_map(|place| {
             let ground = engine.ground(&[[place.x, place.z]]).unwrap()[0];
             let place = Vec3::new(place.x, ground + 20.0, place.z);
-            (clearance(&engine, place, place + 6000.0 * to_sun, 0.0) < -40.0).then_some(place)
+            (clearance(&mut engine, place, place + 6000.0 * to_sun, 0.0) < -40.0).then_some(place)
         });
     let place = shady.expect("there are mountains, and the sun is low");
     engine.stand(0, [place.x, place.z], 20_f32.to_radians(), 1.0).unwrap();
@@ -165,7 +167,7 @@ fn a_tower_in_the_shade_of_a_mountain_is_dark() {
 #[test]
 fn a_tower_throws_its_shadow_on_the_land() {
     let mut engine = engine();
-    let camera = world::camera(&engine).unwrap();
+    let camera = world::camera(&mut engine).unwrap();
     let foot = engine.things[0].foot;
     let away = Vec3::new(-engine.to_sun().x, 0.0, -engine.to_sun().z).normalize();
     let with = draw(&engine, &camera);
@@ -184,4 +186,36 @@ fn a_tower_throws_its_shadow_on_the_land() {
     let mean = ratios.iter().sum::<f32>() / ratios.len() as f32;
     assert!(ratios.len() >= 3, "{} places beside the tower are seen", ratios.len());
     assert!(mean < 0.75, "the shadow is {mean} of what the ground was");
+}
+
+#[test]
+fn a_shader_that_does_not_fit_leaves_the_picture_as_it_was() {
+    let mut engine = engine();
+    let camera = world::camera(&mut engine).unwrap();
+    let before = draw(&engine, &camera).display;
+    let text = std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/wgsl/world.wgsl")).unwrap();
+    let with = |from: &str, to: &str, engine: &Engine| {
+        assert!(text.contains(from));
+        let library = landscape::library().unwrap().with_file("world.wgsl", text.replace(from, to));
+        let preset = world::preset(&SET.map(str::to_owned)).unwrap();
+        let shader = orogen::compose(&library, &preset, &landscape::bake()).unwrap();
+        Landscape::new(&engine.device, shader, preset)
+    };
+    let misfit = with("fn thing_fragment", "fn thing_fragmant", &engine);
+    let error = engine.set_landscape(misfit).unwrap_err().to_string();
+    assert!(error.contains("thing_fragment"), "{error}");
+    assert!(draw(&engine, &camera).display == before);
+    let darker = with("vec4f(seen.radiance, 1.0)", "vec4f(0.5 * seen.radiance, 1.0)", &engine);
+    engine.set_landscape(darker).unwrap();
+    assert!(draw(&engine, &camera).display != before);
+}
+
+#[test]
+fn the_readme_shows_the_integration_as_it_is() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+    let readme = std::fs::read_to_string(format!("{root}/README.md")).unwrap();
+    let integration = include_str!("../src/landscape.rs");
+    let (_, code) = integration.split_once("\n\n").expect("a line about the file, and the code");
+    assert!(readme.contains(code.trim_end()), "README.md has another src/landscape.rs");
+    assert!(integration.lines().count() < 60, "the integration is short");
 }
