@@ -188,21 +188,34 @@ fn a_live_parameter_changes_its_own_bytes_and_no_more() {
     assert_eq!(shader.update_uniform(&mut Vec::new(), &preset).unwrap(), 0..uniform.size as usize);
 }
 
+/// The packages in a lock file: name and version.
+fn locked(path: &str) -> Vec<(String, String)> {
+    let text = std::fs::read_to_string(path).unwrap();
+    let value = |line: &str, key: &str| -> Option<String> {
+        Some(line.strip_prefix(key)?.strip_prefix(" = \"")?.strip_suffix('"')?.to_owned())
+    };
+    let lines: Vec<_> = text.lines().collect();
+    let pairs = lines.windows(2);
+    pairs.filter_map(|pair| Some((value(pair[0], "name")?, value(pair[1], "version")?))).collect()
+}
+
 #[test]
 fn whoever_has_wgpu_30_gets_no_second_naga() {
-    let lock = std::fs::read_to_string("Cargo.lock").unwrap();
-    let versions = |name: &str| -> Vec<String> {
-        let mut lines = lock.lines();
-        let mut found = Vec::new();
-        while let Some(line) = lines.next() {
-            if line == format!("name = \"{name}\"") {
-                found
-                    .extend(lines.next().and_then(|line| line.strip_prefix("version = ")).map(str::to_owned));
-            }
+    // The newcomer's crate has a wgpu of its own, and Orogen with what checks.
+    for lock in ["Cargo.lock", "tests/newcomer/Cargo.lock"] {
+        for name in ["naga", "wgpu"] {
+            let all = locked(lock);
+            let versions: Vec<_> = all.iter().filter(|(known, _)| known == name).map(|(_, v)| v).collect();
+            assert!(matches!(versions[..], [one] if one.starts_with("30.")), "{lock}: {name} {versions:?}");
         }
-        found
-    };
-    let (naga, wgpu) = (versions("naga"), versions("wgpu"));
-    assert_eq!((naga.len(), wgpu.len()), (1, 1), "{naga:?} {wgpu:?}");
-    assert!(naga[0].starts_with("\"30.") && wgpu[0].starts_with("\"30."), "{naga:?} {wgpu:?}");
+    }
+}
+
+#[test]
+fn the_newcomer_s_crate_needs_nothing_that_is_not_here() {
+    let ours = locked("Cargo.lock");
+    for package in locked("tests/newcomer/Cargo.lock") {
+        let is_here = package.0 == "newcomer" || ours.contains(&package);
+        assert!(is_here, "{package:?}: copy Cargo.lock into tests/newcomer and run `cargo check` there");
+    }
 }

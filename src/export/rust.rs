@@ -177,7 +177,8 @@ fn members(shader: &Shader, fields: &[&Field], start: u32, size: u32, types: Typ
 fn pad(members: &mut Vec<Member>, taken: &mut HashSet<String>, from: u32, to: u32) {
     let words = to.saturating_sub(from) / 4;
     if words > 0 {
-        let name = free(format!("_pad{}", members.len()), taken);
+        let number = members.iter().filter(|member| member.padding).count();
+        let name = free(format!("_pad{number}"), taken);
         let (ty, value) = (format!("[u32; {words}]"), format!("[0; {words}]"));
         members.push(Member { name, ty, value, offset: from, doc: Vec::new(), padding: true });
     }
