@@ -125,7 +125,8 @@ fn compare(device: &Device, file: &Path, drawn: &Path) -> Result<(), String> {
     let other = Path::new("tests/glsl/in-other-words").join(file.file_name().unwrap());
     let drawable = fs::read_to_string(other).unwrap_or(text);
     let drawn = catch_unwind(AssertUnwindSafe(|| device.draw(&drawable, channels)));
-    let expected = drawn.map_err(|_| "wgpu panics: tests/glsl/in-other-words is for a file that says the same")??;
+    let expected =
+        drawn.map_err(|_| "wgpu panics: tests/glsl/in-other-words is for a file that says the same")??;
     if expected.len() != found.len() {
         return Err(format!("{} pixels instead of {}", found.len(), expected.len()));
     }

@@ -35,14 +35,14 @@ fn convert(name: &str, text: &str, entry: Option<&str>) -> Outcome {
     }
 }
 
-/// Codes without a place in the text: naga itself panics on it, there is no fragment entry point, or naga names no place.
-const WITHOUT_A_PLACE: [&str; 4] = ["OR0703", "OR0805", "OR0809", "OR0810"];
+/// Codes without a place in the text: naga names none, or panics itself, or there is no fragment entry point.
+const WITHOUT_A_PLACE: [&str; 3] = ["OR0701", "OR0703", "OR0805"];
 
 /// What is wrong with how a refusal is told.
 fn badly_told(error: &Error) -> Option<String> {
     let first = error.diagnostics().first()?;
     let told = error.render(false);
-    if first.code == "OR0811" {
+    if matches!(first.code, "OR0811" | "OR0812") {
         return Some(format!("something panicked:\n{told}"));
     }
     if first.labels.is_empty() && !WITHOUT_A_PLACE.contains(&first.code) {

@@ -107,7 +107,8 @@ fn the_preset_is_valid_and_the_error_is_told_as_shown() {
     assert!(preset.lines().nth(number - 1).unwrap().contains("elevaton"), "{preset}");
     fs::write(folder.path().join("dawn.json"), preset).unwrap();
     let wrong = check("dawn.json");
-    assert_eq!(String::from_utf8_lossy(&wrong.stderr).trim(), shown.trim());
+    let said = String::from_utf8_lossy(&wrong.stderr);
+    assert!(said.starts_with(shown.trim_end()), "{said}"); // a line that counts what was checked comes behind
 }
 
 #[test]

@@ -149,11 +149,14 @@ pub(super) fn select(
         });
         parts.collect::<Vec<_>>()
     };
-    let slots: Vec<_> =
-        names.open_slots().into_iter().map(|(instance, slot)| {
+    let slots: Vec<_> = names
+        .open_slots()
+        .into_iter()
+        .map(|(instance, slot)| {
             let signature = names.spelled(&slot.signature, instance);
             (instance, Slot { signature, ..slot.clone() })
-        }).collect();
+        })
+        .collect();
     let before = errors.len();
     let mut result = parts(false, &mut errors);
     // A lone file with nothing before it keeps its directives where they are.
