@@ -20,6 +20,9 @@ use crate::template;
 /// from outside is freed of them.
 const MARKS: (char, char) = ('\u{e0f0}', '\u{e0f1}');
 
+/// The heading of live parameters that are variables.
+const LIVE: &str = "live parameters: change them here";
+
 /// What stands at a mark.
 enum Insert<'a> {
     Part(&'a crate::compose::Part),
@@ -217,9 +220,13 @@ fn context<'a>(
             }
             fields.push(item);
         } else {
-            group(&mut groups, &parameter.decl.key.group).items.push(item);
+            let key = &parameter.decl.key.group;
+            let is_live = storage[*index] == Storage::Variable && key != "frame";
+            group(&mut groups, if is_live { LIVE } else { key }).items.push(item);
         }
     }
+    // What a person may change by hand comes first.
+    groups.sort_by_key(|group| group.name != LIVE);
     let read = composition.options.iter().filter(|option| option.read);
     for option in read {
         let key = &option.decl.key;

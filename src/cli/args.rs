@@ -61,6 +61,9 @@ pub(super) struct Common {
     /// Set a parameter or an option over the preset's value (repeatable)
     #[arg(long, value_name = "GROUP.NAME=VALUE", global = true)]
     pub(super) set: Vec<String>,
+    /// How much work for how good a picture: low, medium, high or ultra; the preset's unless told
+    #[arg(long, value_name = "NAME", global = true, value_parser = ["low", "medium", "high", "ultra"], hide_possible_values = true)]
+    pub(super) quality: Option<String>,
     /// Lay a folder over the templates that say what the files look like
     #[arg(long, value_name = "DIR", global = true)]
     pub(super) templates: Option<PathBuf>,
@@ -124,6 +127,10 @@ pub(super) struct Export {
     /// shadertoy). Entry points, overrides, bindings and live parameters keep their names
     #[arg(long)]
     pub(super) minify: bool,
+    /// Of a Shadertoy file, write two: FILE for the tab Image, and beside it NAME.common.glsl with the library's functions
+    /// for the tab Common
+    #[arg(long, conflicts_with_all = ["minify", "source_map"])]
+    pub(super) common: bool,
     /// A fragment of the library in the place of the preset's picture, on its own, with the preset's values:
     /// terrain/height.wgsl
     #[arg(long, value_name = "PATH", conflicts_with = "view")]
@@ -162,6 +169,10 @@ pub(super) enum Target {
     Shadertoy,
     /// A GLSL ES 3.00 fragment shader
     Glsl,
+    /// An Interactive Shader Format file: GLSL with a JSON header, whose inputs are the live parameters
+    Isf,
+    /// A WGSL file to paste into compute.toys
+    ComputeToys,
     /// SPIR-V 1.3, binary
     Spirv,
     /// HLSL, shader model 6.0

@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 use std::path::Path;
 
-use orogen::{Prefix, Shader, export};
+use orogen::{Prefix, Shader, Templates, export};
 
 use super::args::{self, Common, Export};
 use super::failure::{Failure, Outcome};
@@ -14,6 +14,8 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
         args::Target::Wgsl => export::Target::Wgsl,
         args::Target::Shadertoy => export::Target::Shadertoy,
         args::Target::Glsl => export::Target::Glsl,
+        args::Target::Isf => export::Target::Isf,
+        args::Target::ComputeToys => export::Target::ComputeToys,
         args::Target::Spirv => export::Target::Spirv,
         args::Target::Hlsl => export::Target::Hlsl,
         args::Target::Msl => export::Target::Msl,
@@ -48,9 +50,16 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     composer.only.clone_from(&args.only);
     composer.prefix = Prefix::new(&args.prefix)?;
     composer.view.clone_from(&args.viewing.view);
+    if args.common && (to_stdout || target != export::Target::Shadertoy) {
+        let why = "--common writes two files for Shadertoy: it needs `-o FILE` and the target shadertoy";
+        return Err(Failure::Usage(why.into()));
+    }
     let (group, binding) = args.binding;
     let bake = input::bake(&args.baking).at_binding(group, binding);
     let shader = composer.run(&library, &preset, &target.bake(bake))?;
+    if args.common {
+        return write_tabs(&args.output, &shader, &composer.templates);
+    }
     let minified = if args.minify { Some(export::minify(&shader, &composer.templates)?) } else { None };
     let bytes = match &minified {
         Some(minified) => minified.export(target, None, &composer.templates)?,
@@ -81,6 +90,18 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
 
 fn has_overrides(target: export::Target) -> bool {
     matches!(target, export::Target::Wgsl | export::Target::Json | export::Target::Rust)
+}
+
+/// The files for the tabs Image and Common, or neither: `alpine.glsl` and `alpine.common.glsl`.
+fn write_tabs(path: &Path, shader: &Shader, templates: &Templates) -> Outcome {
+    let tabs = export::shadertoy_tabs(shader, templates)?;
+    let extension = path.extension().map_or_else(|| "glsl".into(), |extension| extension.to_string_lossy());
+    let beside = path.with_extension(format!("common.{extension}"));
+    made_of::spare(shader, path)?;
+    made_of::spare(shader, &beside)?;
+    let drafts =
+        [output::prepare(path, tabs.image.as_bytes())?, output::prepare(&beside, tabs.common.as_bytes())?];
+    drafts.into_iter().try_for_each(output::Draft::persist)
 }
 
 /// The file and its map, or neither.

@@ -37,8 +37,10 @@ pub enum ExportError {
         span: Option<Span>,
     },
     /// `OR0807`
-    #[error("the entry point `{name}` cannot be wrapped for Shadertoy: {why}")]
+    #[error("the entry point `{name}` cannot be wrapped for `{target}`: {why}")]
     Unwrappable {
+        /// The target.
+        target: Target,
         /// Its name.
         name: String,
         /// What is in the way.
@@ -47,8 +49,10 @@ pub enum ExportError {
         span: Option<Span>,
     },
     /// `OR0808`
-    #[error("Shadertoy cannot bind `{name}`")]
+    #[error("a host of `{target}` cannot bind `{name}`")]
     Binding {
+        /// The target.
+        target: Target,
         /// The variable.
         name: String,
         /// Whether it is the buffer of live parameters.
@@ -155,7 +159,7 @@ impl ExportError {
                 "let it take `@builtin(position)` alone and return one `vec4f`, or write `main_image` instead".into(),
             )),
             E::Binding { ours: true, .. } => d("OR0808")
-                .help(Some("compose with `Target::Shadertoy.bake(…)`, which makes variables of live parameters".into())),
+                .help(Some("compose with `target.bake(…)`, which makes variables of live parameters".into())),
             E::Binding { .. } => {
                 d("OR0808").help(Some("leave buffers, textures and samplers out of what `main_image` calls".into()))
             }

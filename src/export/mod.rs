@@ -1,4 +1,5 @@
-//! One file per target: [`Shader`](crate::Shader) → WGSL, Shadertoy, GLSL ES 3.00, SPIR-V, HLSL, MSL, JSON, or Rust.
+//! One file per target: [`Shader`](crate::Shader) → WGSL, Shadertoy, GLSL ES 3.00, ISF, compute.toys, SPIR-V, HLSL, MSL, JSON,
+//! or Rust.
 //!
 //! A target says how it wants the shader composed (`Target::stage`, `Target::bake`); `export` then writes the file. Targets
 //! need the feature `check`; without it there are WGSL itself, its source map, and [`bindings`] in Rust.
@@ -18,12 +19,14 @@ mod rust;
 mod source_map;
 mod target;
 #[cfg(feature = "check")]
+mod toys;
+#[cfg(feature = "check")]
 mod typed;
 
 #[cfg(feature = "check")]
 pub use error::ExportError;
 #[cfg(feature = "check")]
-pub use glsl::Glsl;
+pub use glsl::{Glsl, Tabs, glsl, shadertoy_tabs};
 #[cfg(feature = "check")]
 pub use minify::{Minified, minify, minify_text};
 pub use rust::{RustStyle, Types, bindings};
@@ -64,14 +67,22 @@ pub fn export_entry(
     let text = match target {
         Target::Wgsl => Ok(shader.wgsl().to_owned()),
         Target::Json => Ok(json::interface(shader)),
-        Target::Glsl => glsl::file(shader, entry_point, templates)?,
-        Target::Shadertoy => glsl::shadertoy(shader, entry_point, templates)?,
+        Target::Glsl | Target::Shadertoy | Target::Isf => {
+            return glsl(shader, target, entry_point, templates).map(|glsl| glsl.text.into_bytes());
+        }
+        Target::ComputeToys => toys::wgsl(shader),
         Target::Hlsl => back::hlsl(shader, templates)?,
         Target::Msl => back::msl(shader, templates)?,
         Target::Rust => return bindings(shader, &RustStyle::default(), templates).map(String::into_bytes),
         Target::Spirv => return back::spirv(shader).map_err(|error| error.told(shader)),
     };
     text.map(String::into_bytes).map_err(|error: ExportError| error.told(shader))
+}
+
+/// `error`, told at its place.
+#[cfg(feature = "check")]
+fn export_error(error: ExportError, shader: &Shader) -> Error {
+    error.told(shader)
 }
 
 /// The entry point of a scene that has `main_image`, as a fragment that calls it.

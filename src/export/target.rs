@@ -31,6 +31,10 @@ pub enum Target {
     Shadertoy,
     /// GLSL ES 3.00, as WebGL 2 compiles it: one fragment shader.
     Glsl,
+    /// Interactive Shader Format: GLSL with a JSON header, whose inputs are the live parameters.
+    Isf,
+    /// WGSL for compute.toys' editor.
+    ComputeToys,
     /// SPIR-V 1.3, as Vulkan 1.1 takes it, little-endian: all entry points.
     Spirv,
     /// HLSL for shader model 6.0: all entry points.
@@ -46,15 +50,27 @@ pub enum Target {
 #[cfg(feature = "check")]
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 8] =
-        [Self::Wgsl, Self::Shadertoy, Self::Glsl, Self::Spirv, Self::Hlsl, Self::Msl, Self::Json, Self::Rust];
+    pub const ALL: [Self; 10] = [
+        Self::Wgsl,
+        Self::Shadertoy,
+        Self::Glsl,
+        Self::Isf,
+        Self::ComputeToys,
+        Self::Spirv,
+        Self::Hlsl,
+        Self::Msl,
+        Self::Json,
+        Self::Rust,
+    ];
 
-    /// Its name: `wgsl`, `shadertoy`, `glsl`, `spirv`, `hlsl`, `msl`, `json`, `rust`.
+    /// Its name: `wgsl`, `shadertoy`, `glsl`, `isf`, `compute-toys`, `spirv`, `hlsl`, `msl`, `json`, `rust`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Wgsl => "wgsl",
             Self::Shadertoy => "shadertoy",
             Self::Glsl => "glsl",
+            Self::Isf => "isf",
+            Self::ComputeToys => "compute-toys",
             Self::Spirv => "spirv",
             Self::Hlsl => "hlsl",
             Self::Msl => "msl",
@@ -69,6 +85,8 @@ impl Target {
             Self::Wgsl => "wgsl",
             Self::Shadertoy => "shadertoy.glsl",
             Self::Glsl => "frag",
+            Self::Isf => "fs",
+            Self::ComputeToys => "compute.wgsl",
             Self::Spirv => "spv",
             Self::Hlsl => "hlsl",
             Self::Msl => "metal",
@@ -79,16 +97,16 @@ impl Target {
 
     /// Which entry point a scene gets, for [`Compose::stage`](crate::Compose::stage); `requested` is the user's wish.
     ///
-    /// GLSL and Shadertoy call `main_image`, since their pixels count from the bottom left as its do.
+    /// GLSL, Shadertoy and their like call `main_image`, since their pixels count from the bottom left as its do.
     ///
     /// # Errors
     /// Where the target has no such stage.
     pub fn stage(self, requested: Option<Stage>) -> Result<Stage, crate::Error> {
         match (self, requested) {
-            (Self::Glsl | Self::Shadertoy, Some(Stage::Compute)) => {
+            (Self::Glsl | Self::Shadertoy | Self::Isf, Some(Stage::Compute)) => {
                 Err(ExportError::Stage { target: self }.into())
             }
-            (Self::Glsl | Self::Shadertoy, _) => Ok(Stage::MainImage),
+            (Self::Glsl | Self::Shadertoy | Self::Isf | Self::ComputeToys, _) => Ok(Stage::MainImage),
             (_, requested) => Ok(requested.unwrap_or_default()),
         }
     }
@@ -98,12 +116,12 @@ impl Target {
         matches!(self, Self::Wgsl | Self::Shadertoy | Self::Glsl)
     }
 
-    /// How parameters are to be baked: on Shadertoy, live ones are global variables, since no host sets uniforms there. In
-    /// GLSL the group `frame` is uniforms of their own, beside the buffer of the live ones.
+    /// How parameters are to be baked: on Shadertoy and its like, live ones are global variables, since no host sets uniforms
+    /// there. In GLSL the group `frame` is uniforms of their own, beside the buffer of the live ones.
     #[must_use]
     pub fn bake(self, bake: Bake) -> Bake {
         match self {
-            Self::Shadertoy => bake.as_variables(),
+            Self::Shadertoy | Self::Isf | Self::ComputeToys => bake.as_variables(),
             Self::Glsl => bake.with_frame_as_variables(),
             _ => bake,
         }

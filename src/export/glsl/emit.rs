@@ -29,9 +29,11 @@ pub(super) struct Request<'a> {
     /// Names that what surrounds the file keeps for itself.
     pub(super) reserved: &'a [&'a str],
     /// What is written for a variable of the module, by its name.
-    pub(super) instead: FxHashMap<&'a str, String>,
+    pub(super) instead: FxHashMap<String, String>,
     /// Whether y grows upward here and downward in WGSL.
     pub(super) flipped: bool,
+    /// Where in the text the scene's own fragment stands.
+    pub(super) scene: std::ops::Range<usize>,
 }
 
 /// What was written.
@@ -45,8 +47,19 @@ pub(super) struct Emitted {
     pub(super) function: String,
     /// What the entry point takes and gives.
     pub(super) interface: super::entry::Interface,
-    /// Names of the variables of `instead` that are read.
+    /// What is written for the variables of `instead` that are read.
     pub(super) read: Vec<String>,
+    /// The text in pieces, in its order.
+    pub(super) pieces: Vec<Piece>,
+}
+
+/// A declaration with what stands above it, helpers, or the like.
+#[derive(Debug)]
+pub(super) struct Piece {
+    /// Where it ends in the text; it begins where the one before it ends.
+    pub(super) end: usize,
+    /// Whether it is of the scene, reads what only the host's own function may, or calls what does.
+    pub(super) of_image: bool,
 }
 
 /// Writes what `request` asks for.
@@ -67,13 +80,15 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
         let word = typed.tree.word(decl.name);
         if let (DeclKind::Var { .. }, Some(text)) = (&decl.kind, request.instead.get(word)) {
             if wanted[index] {
-                read.push(word.to_owned());
+                read.push(text.clone());
             }
             instead.insert(index as u32, text.clone());
             wanted[index] = false;
         }
     }
     let steps = order(&typed, &wanted);
+    let of_image = of_image(&typed, &instead, &request.scene);
+    let mut pieces = Vec::new();
     let mut writer = Writer {
         names: Names::new(declared(&typed).into_iter(), request.reserved),
         typed: &typed,
@@ -114,7 +129,7 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
         let in_modules = typed.tree.tokens.span(decl.first as usize).start as usize >= request.modules;
         let in_turn = matches!(step, Step::Write { in_turn: true, .. } | Step::Rest(_));
         if in_turn && in_modules && helpers_at.is_none() {
-            helpers_at = Some(writer.out.len());
+            helpers_at = Some(pieces.len());
         }
         match step {
             Step::Announce(index) => {
@@ -139,15 +154,20 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
                 writer.upto(end);
             }
         }
+        pieces.push(Piece { end: writer.out.len(), of_image: of_image[index as usize] });
     }
     writer.cursor = ends.last().copied().unwrap_or(start).max(start);
     let rest = typed.tree.tokens.len() as Tok;
     writer.upto(rest);
     let helpers = writer.preamble()?;
+    pieces.push(Piece { end: writer.out.len(), of_image: true });
     if !helpers.is_empty() {
-        let at = helpers_at.unwrap_or(0);
+        let index = helpers_at.unwrap_or(0);
+        let at = index.checked_sub(1).map_or(0, |before| pieces[before].end);
         let text = format!("\n\n// ---- what WGSL has and GLSL ES 3.00 lacks ----\n\n{}", helpers.trim_end());
         writer.out.insert_str(at, &text);
+        pieces.insert(index, Piece { end: at, of_image: false });
+        pieces[index..].iter_mut().for_each(|piece| piece.end += text.len());
     }
     let picture = picture.unwrap_or(entry);
     let interface = super::entry::interface(&mut writer, entry)?;
@@ -157,6 +177,7 @@ pub(super) fn emit(request: &Request<'_>) -> Written<Emitted> {
         renamed: writer.names.changes(),
         interface,
         read,
+        pieces,
     })
 }
 
@@ -249,5 +270,27 @@ fn only_calls(typed: &Typed<'_>, entry: u32) -> Option<u32> {
     match typed.meaning(*callee) {
         Meaning::Global(index) if is_parameter => Some(index),
         _ => None,
+    }
+}
+
+/// Of each declaration, whether it belongs beside the function that the host calls.
+fn of_image(
+    typed: &Typed<'_>,
+    instead: &FxHashMap<u32, String>,
+    scene: &std::ops::Range<usize>,
+) -> Vec<bool> {
+    let stands_in_scene =
+        |decl: &Decl| scene.contains(&(typed.tree.tokens.span(decl.first as usize).start as usize));
+    let mut of_image: Vec<bool> = typed.tree.declarations.iter().map(stands_in_scene).collect();
+    loop {
+        let mut changed = false;
+        for (index, references) in typed.references.iter().enumerate() {
+            let needs = references.iter().any(|one| instead.contains_key(one) || of_image[*one as usize]);
+            changed |= needs && !of_image[index];
+            of_image[index] |= needs;
+        }
+        if !changed {
+            return of_image;
+        }
     }
 }

@@ -5,9 +5,12 @@ mod emit;
 mod entry;
 mod evaluation;
 mod helpers;
+mod host;
+mod isf;
 mod names;
 mod order;
 mod spelling;
+mod tabs;
 mod values;
 mod write;
 mod write_call;
@@ -24,75 +27,15 @@ use super::error::ExportError;
 use super::header::header;
 use super::target::Target;
 use crate::check::guarded;
-use crate::compose::Parameter;
 use crate::diagnostic::Error;
 use crate::shader::Shader;
 use crate::source::{Span, Templates};
 use crate::template;
 
-/// What Shadertoy puts before a shader, or may put there.
-const SHADERTOY: [&str; 28] = [
-    "HW_PERFORMANCE",
-    "iCh0",
-    "iCh1",
-    "iCh2",
-    "iCh3",
-    "iChannel0",
-    "iChannel1",
-    "iChannel2",
-    "iChannel3",
-    "iChannelResolution",
-    "iChannelTime",
-    "iDate",
-    "iFrame",
-    "iFrameRate",
-    "iMouse",
-    "iResolution",
-    "iSampleRate",
-    "iTime",
-    "iTimeDelta",
-    "iGlobalTime",
-    "mainImage",
-    "mainSound",
-    "mainVR",
-    "mainCubemap",
-    "shadertoy_out_color",
-    "st_assert",
-    "fragColor",
-    "fragCoord",
-];
-
-/// Names of our own in a complete fragment shader.
-const WEBGL: [&str; 6] = ["u_resolution", "u_time", "u_delta", "u_frame", "u_mouse", "fragColor"];
-
-/// What of the group `frame` Shadertoy knows by which name.
-const SHADERTOY_FRAME: [(&str, &str); 6] = [
-    ("frame_resolution", "iResolution.xy"),
-    ("frame_time", "iTime"),
-    ("frame_delta", "iTimeDelta"),
-    ("frame_index", "uint(iFrame)"),
-    ("frame_mouse", "iMouse"),
-    ("frame_jitter", "vec2(0.0)"),
-];
-
-/// The same as uniforms of a complete fragment shader, with how each is declared. The names are those that glslCanvas sets.
-const WEBGL_FRAME: [(&str, &str, &str); 6] = [
-    ("frame_resolution", "u_resolution", "uniform vec2 u_resolution;  // pixels"),
-    ("frame_time", "u_time", "uniform float u_time;  // s"),
-    ("frame_delta", "u_delta", "uniform float u_delta;  // s, since the frame before"),
-    ("frame_index", "uint(u_frame)", "uniform int u_frame;  // how many frames came before"),
-    (
-        "frame_mouse",
-        "u_mouse",
-        "uniform vec4 u_mouse;  // pixels: where the drag is (xy) and where it began (zw)",
-    ),
-    ("frame_jitter", "vec2(0.0)", ""),
-];
+pub use tabs::{Tabs, shadertoy_tabs};
 
 /// The entry point of a scene for targets that call `main_image`.
 const WRAPPER: &str = "templates/entry_main_image.wgsl";
-
-type Text = Result<Result<String, ExportError>, Error>;
 
 /// A file in GLSL, and what became of names in it.
 #[derive(Debug, Clone)]
@@ -112,20 +55,24 @@ struct Context {
     main: Vec<String>,
     /// Uniforms, inputs and outputs.
     declarations: Vec<String>,
+    /// What ISF wants to know of the file.
+    json: String,
 }
 
-/// A fragment shader in GLSL ES 3.00.
-pub(super) fn file(shader: &Shader, entry: Option<&str>, templates: &Templates) -> Text {
-    Ok(written(shader, Target::Glsl, entry, templates)?.map(|glsl| glsl.text))
+/// The file for `target`, which is one of the GLSL targets, with what became of names in it.
+///
+/// # Errors
+/// As [`export_entry`](super::export_entry).
+pub fn glsl(
+    shader: &Shader,
+    target: Target,
+    entry: Option<&str>,
+    templates: &Templates,
+) -> Result<Glsl, Error> {
+    written(shader, target, entry, templates)?.map_err(|error| error.told(shader))
 }
 
-/// A file for Shadertoy's editor.
-pub(super) fn shadertoy(shader: &Shader, entry: Option<&str>, templates: &Templates) -> Text {
-    Ok(written(shader, Target::Shadertoy, entry, templates)?.map(|glsl| glsl.text))
-}
-
-/// The file for `target`, which is one of the GLSL targets.
-pub(super) fn written(
+fn written(
     shader: &Shader,
     target: Target,
     entry: Option<&str>,
@@ -144,9 +91,14 @@ pub(super) fn written(
         header: header(shader, templates)?,
         main: main_lines(&emitted, target, is_scene(shader)),
         declarations: declarations(&emitted, target),
+        json: if target == Target::Isf { isf::json(shader, &emitted.read) } else { String::new() },
         code: super::back::airy(emitted.text.trim()),
     };
-    let name = if target == Target::Shadertoy { "shadertoy.jinja" } else { "glsl.jinja" };
+    let name = match target {
+        Target::Shadertoy => "shadertoy.jinja",
+        Target::Isf => "isf.jinja",
+        _ => "glsl.jinja",
+    };
     let text = template::render(templates, name, context)?;
     Ok(Ok(Glsl { text, renamed: emitted.renamed }))
 }
@@ -163,8 +115,11 @@ fn emitted(
     let own_header = own_header.trim_end();
     let start = if baked.text.starts_with(own_header) { own_header.len() } else { 0 };
     let modules = baked.map.segments().iter().find(|segment| segment.instance.is_some());
-    let flipped = is_scene(shader) || target == Target::Shadertoy;
+    let flipped = is_scene(shader) || target != Target::Glsl;
     let instead = instead(shader, target);
+    let inputs = if target == Target::Isf { isf::inputs(shader) } else { Vec::new() };
+    let own = inputs.iter().flat_map(|input| input.names.iter().map(String::as_str));
+    let reserved: Vec<&str> = host::reserved(target).iter().copied().chain(own).collect();
     let request = Request {
         text: &baked.text,
         start,
@@ -172,9 +127,10 @@ fn emitted(
         module: &checked.module,
         entry,
         is_scene: is_scene(shader),
-        reserved: if target == Target::Shadertoy { &SHADERTOY } else { &WEBGL },
+        reserved: &reserved,
         instead,
         flipped,
+        scene: scene(shader),
     };
     let outcome = guarded(|| emit(&request));
     Ok(match outcome {
@@ -184,25 +140,41 @@ fn emitted(
     })
 }
 
+/// Where the scene's own fragment stands in the text: it comes last, but for its entry point.
+fn scene(shader: &Shader) -> std::ops::Range<usize> {
+    let baked = shader.baked();
+    let scene = baked.composition.parts.iter().rfind(|part| !part.name.ends_with(WRAPPER));
+    let own = |segment: &&crate::bake::Segment| {
+        scene.is_some_and(|scene| {
+            segment.file == scene.file && segment.instance == Some(scene.instance as u32)
+        })
+    };
+    let mut segments = baked.map.segments().iter().filter(own);
+    let start = segments.next().map_or(0, |segment| segment.out.start as usize);
+    let end = segments.next_back().map_or(start, |segment| segment.out.end as usize);
+    start..end
+}
+
 /// Whether the entry point is the one that a scene gets.
 fn is_scene(shader: &Shader) -> bool {
     shader.checked().baked.composition.parts.iter().any(|part| part.name.ends_with(WRAPPER))
 }
 
-/// What is written for the parameters of `frame`, where they are variables.
-fn instead(shader: &Shader, target: Target) -> FxHashMap<&'static str, String> {
-    let is_frame = |parameter: &Parameter, name: &str| {
-        parameter.decl.key.group == "frame" && parameter.decl.key.flat() == name
-    };
-    let parameters = &shader.checked().baked.composition.parameters;
-    let known: Vec<(&'static str, &'static str)> = if target == Target::Shadertoy {
-        SHADERTOY_FRAME.to_vec()
-    } else {
-        WEBGL_FRAME.iter().map(|(name, read, _)| (*name, *read)).collect()
-    };
-    let ours =
-        known.into_iter().filter(|(name, _)| parameters.iter().any(|parameter| is_frame(parameter, name)));
-    ours.map(|(name, read)| (name, read.to_owned())).collect()
+/// What is written for variables that the host has in its own way: the parameters of `frame`, and the inputs of ISF.
+fn instead(shader: &Shader, target: Target) -> FxHashMap<String, String> {
+    let composition = &shader.checked().baked.composition;
+    let of_frame = composition.parameters.iter().filter(|parameter| parameter.decl.key.group == "frame");
+    let mut instead: FxHashMap<String, String> = of_frame
+        .filter_map(|parameter| {
+            let flat = parameter.decl.key.flat();
+            let (_, read, _) = host::frame(target).iter().find(|(name, ..)| *name == flat)?;
+            Some((composition.flat(&parameter.decl.key), (*read).to_owned()))
+        })
+        .collect();
+    if target == Target::Isf {
+        instead.extend(isf::inputs(shader).into_iter().map(|input| (input.variable, input.read)));
+    }
+    instead
 }
 
 /// What stands in the function that the host calls.
@@ -212,6 +184,7 @@ fn main_lines(emitted: &Emitted, target: Target, is_scene: bool) -> Vec<String> 
         (Target::Shadertoy, true) => "fragCoord",
         (_, true) => "gl_FragCoord.xy",
         (Target::Shadertoy, false) => "vec4(fragCoord.x, iResolution.y - fragCoord.y, 0.0, 1.0)",
+        (Target::Isf, false) => "vec4(gl_FragCoord.x, RENDERSIZE.y - gl_FragCoord.y, 0.0, 1.0)",
         (_, false) => "gl_FragCoord",
     };
     let arguments: Vec<&str> =
@@ -219,6 +192,7 @@ fn main_lines(emitted: &Emitted, target: Target, is_scene: bool) -> Vec<String> 
     let call = format!("{}({})", emitted.function, arguments.join(", "));
     match (&interface.output, &interface.outputs) {
         _ if target == Target::Shadertoy => vec![format!("fragColor = {call};")],
+        _ if target == Target::Isf => vec![format!("gl_FragColor = {call};")],
         (Some((output, _)), _) => vec![format!("{output} = {call};")],
         (None, Some((ty, outputs))) => {
             let mut lines = vec![format!("{ty} outputs_ = {call};")];
@@ -230,11 +204,11 @@ fn main_lines(emitted: &Emitted, target: Target, is_scene: bool) -> Vec<String> 
 }
 
 fn declarations(emitted: &Emitted, target: Target) -> Vec<String> {
-    if target == Target::Shadertoy {
+    if target != Target::Glsl {
         return Vec::new();
     }
-    let is_read = |name: &str| emitted.read.iter().any(|read| read == name);
-    let uniforms = WEBGL_FRAME.iter().filter(|(name, _, line)| !line.is_empty() && is_read(name));
+    let is_read = |text: &str| emitted.read.iter().any(|read| read == text);
+    let uniforms = host::frame(target).iter().filter(|(_, read, line)| !line.is_empty() && is_read(read));
     let uniforms = uniforms.map(|(_, _, line)| (*line).to_owned());
     uniforms.chain(emitted.interface.declarations.iter().cloned()).collect()
 }
@@ -255,21 +229,21 @@ fn fragment(shader: &Shader, wanted: Option<&str>) -> Result<String, ExportError
 
 /// Whether `target` can call `entry`, and bind what it reads.
 fn allowed(shader: &Shader, target: Target, entry: &str) -> Result<(), ExportError> {
-    if target != Target::Shadertoy {
+    if target == Target::Glsl {
         return Ok(());
     }
     let checked = shader.checked();
-    wrappable(&checked.module, entry)?;
+    wrappable(&checked.module, target, entry)?;
     let index = checked
         .module
         .entry_points
         .iter()
         .position(|one| one.stage == ShaderStage::Fragment && one.name == entry);
-    unbound(shader, index.unwrap_or(0))
+    unbound(shader, target, index.unwrap_or(0))
 }
 
-/// Shadertoy calls with a position, and wants a colour.
-fn wrappable(module: &Module, name: &str) -> Result<(), ExportError> {
+/// Shadertoy and ISF call with a position, and want a colour.
+fn wrappable(module: &Module, target: Target, name: &str) -> Result<(), ExportError> {
     let Some(entry) =
         module.entry_points.iter().find(|one| one.stage == ShaderStage::Fragment && one.name == name)
     else {
@@ -298,11 +272,11 @@ fn wrappable(module: &Module, name: &str) -> Result<(), ExportError> {
         .iter()
         .filter_map(|(handle, _)| entry.function.expressions.get_span(handle).to_range());
     let span = spans.map(|range| Span::new(range.start, range.end)).min_by_key(|span| span.start);
-    Err(ExportError::Unwrappable { name: name.to_owned(), why, span })
+    Err(ExportError::Unwrappable { target, name: name.to_owned(), why, span })
 }
 
-/// Shadertoy has no buffers, and textures only by its own names.
-fn unbound(shader: &Shader, entry: usize) -> Result<(), ExportError> {
+/// They have no buffers, and textures only by names of their own.
+fn unbound(shader: &Shader, target: Target, entry: usize) -> Result<(), ExportError> {
     let checked = shader.checked();
     let ours = shader.interface().uniform.as_ref().map(|uniform| uniform.name.as_str());
     let info = checked.info.get_entry_point(entry);
@@ -316,5 +290,5 @@ fn unbound(shader: &Shader, entry: usize) -> Result<(), ExportError> {
     let ours = ours == Some(name.as_str());
     let range = module.global_variables.get_span(handle).to_range();
     let span = range.map(|range| Span::new(range.start, range.end));
-    Err(ExportError::Binding { ours, span: span.filter(|_| !ours), name })
+    Err(ExportError::Binding { target, ours, span: span.filter(|_| !ours), name })
 }

@@ -24,7 +24,7 @@ pub(super) type Written<T = ()> = Result<T, Refusal>;
 
 impl From<Unreadable> for Refusal {
     fn from(Unreadable { what, span }: Unreadable) -> Self {
-        Self { what: what.to_owned(), span }
+        Self { what: what.into_owned(), span }
     }
 }
 

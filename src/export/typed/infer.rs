@@ -142,8 +142,12 @@ pub(super) struct Typer<'a> {
 }
 
 impl<'a> Typer<'a> {
-    pub(super) fn unreadable<T>(&self, id: ExprId, what: &'static str) -> Parsed<T> {
-        Err(Unreadable { what, span: self.typed.tree.span(id) })
+    pub(super) fn unreadable<T>(
+        &self,
+        id: ExprId,
+        what: impl Into<std::borrow::Cow<'static, str>>,
+    ) -> Parsed<T> {
+        Err(Unreadable { what: what.into(), span: self.typed.tree.span(id) })
     }
 
     /// The type of declaration `index`, worked out when first asked for: WGSL's declarations stand in any order.
@@ -154,7 +158,7 @@ impl<'a> Typer<'a> {
         if self.depth > DEEPEST {
             let decl = &self.typed.tree.declarations[index as usize];
             return Err(Unreadable {
-                what: "nesting of this depth",
+                what: "nesting of this depth".into(),
                 span: self.typed.tree.span_of(decl.name, decl.name),
             });
         }
@@ -456,7 +460,7 @@ impl<'a> Typer<'a> {
         self.typed.meaning[callee.index()] = Meaning::Function;
         match builtin::result(name, &types) {
             Some(ty) => Ok((ty, constant && !name.starts_with("dpd") && !name.starts_with("fwidth"))),
-            None => self.unreadable(callee, "this function"),
+            None => self.unreadable(callee, format!("`{name}`")),
         }
     }
 }

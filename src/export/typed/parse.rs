@@ -8,7 +8,7 @@ use crate::syntax::{TokenKind, lex};
 /// A construct that is not known, or nests too deep.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(in crate::export) struct Unreadable {
-    pub(in crate::export) what: &'static str,
+    pub(in crate::export) what: std::borrow::Cow<'static, str>,
     pub(in crate::export) span: Span,
 }
 
@@ -71,10 +71,10 @@ impl<'a> Parser<'a> {
 
     pub(super) fn unreadable<T>(&self, what: &'static str) -> Parsed<T> {
         if self.tree.tokens.is_empty() {
-            return Err(Unreadable { what, span: Span::new(0, 0) });
+            return Err(Unreadable { what: what.into(), span: Span::new(0, 0) });
         }
         let here = self.here();
-        Err(Unreadable { what, span: self.tree.span_of(here, here) })
+        Err(Unreadable { what: what.into(), span: self.tree.span_of(here, here) })
     }
 
     pub(super) fn advance(&mut self) -> Tok {

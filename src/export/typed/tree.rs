@@ -259,6 +259,13 @@ impl<'a> Tree<'a> {
         next
     }
 
+    /// Every name in an expression, and the token that says it.
+    pub(in crate::export) fn names(&self) -> impl Iterator<Item = (ExprId, Tok)> {
+        let all = self.expressions.iter().enumerate();
+        all.filter(|(_, expr)| matches!(expr.kind, ExprKind::Name { .. }))
+            .map(|(index, expr)| (ExprId(index as u32), expr.first))
+    }
+
     /// Without the parentheses around it.
     pub(in crate::export) fn bare(&self, mut id: ExprId) -> ExprId {
         while let ExprKind::Paren { inner } = self.expr(id).kind {
