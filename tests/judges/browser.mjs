@@ -45,7 +45,11 @@ function told(job, size) {
   const shader = readFileSync(job.shader, "utf8");
   if (!job.interface) return { ...size, shader, shots: job.shots };
   const { uniform, entry_points } = JSON.parse(readFileSync(job.interface, "utf8"));
-  const shots = job.shots.map((shot) => ({ block: uniform ? block(uniform, size, shot) : [] }));
+  // In GLSL, the frame is uniforms of their own, and the page asks WebGL where in the block each field lies.
+  const fields = (uniform?.fields ?? []).filter(({ parameter }) => !parameter.startsWith("frame."));
+  const inGlsl = (shot) => ({ ...shot, variable: uniform?.name, fields });
+  const inWgsl = (shot) => ({ block: uniform ? block(uniform, size, shot) : [] });
+  const shots = job.shots.map(job.api === "webgl2" ? inGlsl : inWgsl);
   const entryPoints = Object.fromEntries(entry_points.map(({ stage, name }) => [stage, name]));
   return { ...size, shader, shots, uniform, entryPoints };
 }

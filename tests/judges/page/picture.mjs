@@ -21,11 +21,31 @@ function setShadertoy(gl, made, { width, height, time, delta, index, mouse }) {
   gl.uniform4f(at("iMouse"), ...mouse);
 }
 
-/** Binds `bytes` as the one uniform block of `made`, where it has one. */
-function bindBlock(gl, made, bytes) {
+/** Sets the frame's uniforms. */
+function setFrame(gl, made, { width, height, time, delta, index, mouse }) {
+  const at = (name) => gl.getUniformLocation(made, name);
+  gl.useProgram(made);
+  gl.uniform2f(at("u_resolution"), width, height);
+  gl.uniform1f(at("u_time"), time);
+  gl.uniform1f(at("u_delta"), delta);
+  gl.uniform1i(at("u_frame"), index);
+  gl.uniform4f(at("u_mouse"), ...mouse);
+}
+
+/** Binds the one uniform block of `made`, where it has one, with the values of `fields`, which are members of `variable`. */
+function bindBlock(gl, made, variable, fields) {
   if (gl.getProgramParameter(made, gl.ACTIVE_UNIFORM_BLOCKS) === 0) return;
   const size = gl.getActiveUniformBlockParameter(made, 0, gl.UNIFORM_BLOCK_DATA_SIZE);
-  if (size > bytes.length) throw new Error(`the uniform block has ${size} bytes, the interface ${bytes.length}`);
+  const bytes = new DataView(new ArrayBuffer(size));
+  const indices = gl.getUniformIndices(made, fields.map(({ name }) => `${variable}.${name}`));
+  const offsets = gl.getActiveUniforms(made, indices.filter((index) => index !== gl.INVALID_INDEX), gl.UNIFORM_OFFSET);
+  let at = 0;
+  fields.forEach(({ name, type, value }, n) => {
+    if (indices[n] === gl.INVALID_INDEX) throw new Error(`the block has no field ${variable}.${name}`);
+    const set = { u32: "setUint32", i32: "setInt32" }[type] ?? "setFloat32";
+    [value].flat().forEach((number, i) => bytes[set](offsets[at] + 4 * i, Number(number), true));
+    at++;
+  });
   gl.uniformBlockBinding(made, 0, 0);
   gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, gl.createBuffer());
   gl.bufferData(gl.UNIFORM_BUFFER, bytes, gl.STATIC_DRAW);
@@ -33,8 +53,8 @@ function bindBlock(gl, made, bytes) {
 
 /**
  * Draws `shader`, GLSL ES 3.00, once for each of `shots`. `{ compile, draw, pictures }`: milliseconds until it was linked and
- * until all was drawn, and RGBA in base64 from the top left; or `{ error }`. A shot has `block`, the bytes of the uniform block,
- * or what Shadertoy tells.
+ * until all was drawn, and RGBA in base64 from the top left; or `{ error }`. A shot is a frame; with
+ * `fields`, values of members of the uniform block's `variable`, its uniforms are those of a GLSL file, else Shadertoy's.
  */
 export function webgl2({ shader, width, height, shots }) {
   let gl;
@@ -44,8 +64,10 @@ export function webgl2({ shader, width, height, shots }) {
     const made = program(gl, shader);
     const linked = performance.now();
     const pictures = shots.map((shot) => {
-      if (shot.block) bindBlock(gl, made, new Uint8Array(shot.block));
-      else setShadertoy(gl, made, { width, height, ...shot });
+      if (shot.fields) {
+        setFrame(gl, made, { width, height, ...shot });
+        bindBlock(gl, made, shot.variable, shot.fields);
+      } else setShadertoy(gl, made, { width, height, ...shot });
       const pixels = new Uint8Array(4 * width * height);
       const target = { internal: gl.RGBA8, format: gl.RGBA, component: gl.UNSIGNED_BYTE, pixels };
       return base64(flipped(drawn(gl, made, { width, height, ...target }), 4 * width));
