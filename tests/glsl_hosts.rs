@@ -198,11 +198,7 @@ fn an_isf_file_has_its_live_parameters_as_inputs() {
 }
 
 /// What compute.toys puts before a shader, as far as ours uses it.
-const TOYS_PAGE: &str = "alias int = i32;\nalias uint = u32;\nalias float = f32;\n\
-    struct Time { frame: u32, elapsed: f32, delta: f32 }\n\
-    struct Mouse { pos: vec2u, zoom: f32, click: i32, start: vec2i, delta: vec2i }\n\
-    @group(0) @binding(2) var<uniform> time: Time;\n@group(0) @binding(3) var<uniform> mouse: Mouse;\n\
-    @group(0) @binding(5) var screen: texture_storage_2d<rgba16float, write>;\n";
+const TOYS_PAGE: &str = include_str!("../xtask/src/toys.wgsl");
 
 #[test]
 fn a_file_for_compute_toys_fits_behind_its_prelude() {

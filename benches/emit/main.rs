@@ -36,17 +36,17 @@ fn main() {
 
 /// A scene of `count` functions, each calling the one before.
 fn many(count: usize) -> String {
-    let mut text = String::from("fn f0(p: vec2f) -> f32 { return p.x; }\n");
+    let mut text = String::from("fn step0(p: vec2f) -> f32 { return p.x; }\n");
     for index in 1..count {
         let _ = write!(
             text,
-            "\n/// The sum of what came before, and {index}.\nfn f{index}(p: vec2f) -> f32 {{\n    \
-             let before = f{}(p * 0.5);\n    var sum = 0.0;\n    for (var i = 0u; i < 4u; i++) {{\n        \
+            "\n/// The sum of what came before, and {index}.\nfn step{index}(p: vec2f) -> f32 {{\n    \
+             let before = step{}(p * 0.5);\n    var sum = 0.0;\n    for (var i = 0u; i < 4u; i++) {{\n        \
              sum += select(before, f32(i) + 1, p.x > 0.5); // one of both\n    }}\n    return saturate(sum) % 3.0;\n}}\n",
             index - 1,
         );
     }
-    let _ = write!(text, "\nfn main_image(p: vec2f) -> vec4f {{ return vec4f(f{}(p)); }}\n", count - 1);
+    let _ = write!(text, "\nfn main_image(p: vec2f) -> vec4f {{ return vec4f(step{}(p)); }}\n", count - 1);
     text
 }
 

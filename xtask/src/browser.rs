@@ -43,8 +43,9 @@ impl Moment {
 const MOMENTS: [Moment; 3] = [
     Moment { name: "at 0 s", time: 0.0, index: 0, mouse: [0.0; 4] },
     Moment { name: "at 7.5 s", time: 7.5, index: 450, mouse: [0.0; 4] },
-    // Pressed in the middle and held, an eighth of the picture to the right and somewhat up.
-    Moment { name: "dragged", time: 0.0, index: 0, mouse: [200.0, 100.0, 160.0, -90.0] },
+    // Pressed in the middle and held, an eighth of the picture to the right and somewhat up: not so that a row of pixels lies
+    // on the horizon of a sea to the last bit, where the sign of a rounding error says whether it is sky or water.
+    Moment { name: "dragged", time: 0.0, index: 0, mouse: [200.0, 97.0, 160.0, -90.0] },
 ];
 const DRAGGED: &[usize] = &[2];
 const ALL: &[usize] = &[0, 1, 2];
@@ -332,7 +333,7 @@ mod tests {
         let job = subject.job(Path::new("judged"), Some(Path::new("earth.json")));
         assert_eq!(job["shader"], "judged/earth.uniform.frag");
         assert_eq!(job["interface"], "earth.json");
-        assert_eq!(job["shots"][0]["mouse"], json!([200.0, 100.0, 160.0, -90.0]));
+        assert_eq!(job["shots"][0]["mouse"], json!([200.0, 97.0, 160.0, -90.0]));
         assert_eq!(subject.interface().expect("it has one")[4..], ["--live", "*"]);
         assert_eq!(ALPINE.interface(), None);
     }

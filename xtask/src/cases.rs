@@ -9,6 +9,8 @@ use crate::run::{Outcome, create_folder, read, root, write};
 pub(crate) enum Judge {
     /// `tests/judges/tint.mjs`, all its files in one go.
     Tint,
+    /// Tint, on the file behind what compute.toys puts before it.
+    TintInToys,
     /// glslangValidator.
     Glslang,
     /// glslangValidator, on the file inside what Shadertoy puts around it.
@@ -51,6 +53,7 @@ pub(crate) fn of_preset(preset: &str) -> Vec<Case> {
         cases.push(case(Judge::SpirvVal, &format!("{baking}.spv"), &[&["--target", "spirv"], flags]));
     }
     cases.push(case(Judge::GlslangInShadertoy, "shadertoy.frag", &[&["--target", "shadertoy"]]));
+    cases.push(case(Judge::TintInToys, "compute-toys", &[&["--target", "compute-toys"]]));
     const MINIFY: &[&str] = &["--minify"];
     for (baking, flags) in [CONST, OVERRIDE, UNIFORM] {
         cases.push(case(Judge::Tint, &format!("minified.{baking}.wgsl"), &[MINIFY, flags]));

@@ -16,6 +16,9 @@ use crate::run::{
 /// What Shadertoy puts before a shader. Its names are taken: a shader that declares one does not compile there.
 const SHADERTOY_PAGE: &str = include_str!("shadertoy.frag");
 
+/// What compute.toys puts before a shader.
+const TOYS_PAGE: &str = include_str!("toys.wgsl");
+
 /// Gets the judges and `orogen`, then has everything judged, or only what is written for `presets`.
 pub(crate) fn judge_alone(install: Install, presets: &[String]) -> Outcome {
     install::driver(install)?;
@@ -64,7 +67,7 @@ pub(crate) fn judge(only: &[String]) -> Outcome {
         println!("{failure}\n");
         refused.push("what Tint names above".to_owned());
     }
-    let others = cases.iter().filter(|case| case.judge != Judge::Tint).count();
+    let others = cases.iter().filter(|case| !matches!(case.judge, Judge::Tint | Judge::TintInToys)).count();
     println!("glslang and spirv-val judged {others} GLSL and SPIR-V files");
     println!("all files lie in {}", judged.display());
     let presets: Vec<&str> = presets.iter().map(String::as_str).collect();
@@ -105,6 +108,9 @@ fn verdict(case: &Case, judged: &Path) -> Outcome {
     let file = judged.join(&case.file);
     match case.judge {
         Judge::Tint => Ok(()),
+        Judge::TintInToys => {
+            write(&file.with_extension("page.wgsl"), &format!("{TOYS_PAGE}{}", read(&file)?))
+        }
         Judge::Glslang => glslang(&file),
         Judge::GlslangInShadertoy => {
             let page = file.with_extension("page.frag");
