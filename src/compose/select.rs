@@ -40,13 +40,18 @@ pub(super) struct Selection {
     pub(super) parents: Vec<Option<(usize, usize)>>,
 }
 
+/// A file's name, and what was read of it.
+type Read = (Arc<str>, Arc<Fragment>);
+
+/// An instance: of which file, under which prefix, and whom it includes by which directive.
+type Reached = (usize, Arc<str>, Vec<(usize, usize)>);
+
 /// What a selection follows from.
 #[derive(Debug)]
 pub(super) struct Basis {
-    /// The files in the order in which they were reached: their names, and what was read of them.
-    files: Vec<(Arc<str>, Arc<Fragment>)>,
-    /// The instances: of which file, under which prefix, and whom they include by which directive.
-    instances: Vec<(usize, Arc<str>, Vec<(usize, usize)>)>,
+    /// The files in the order in which they were reached.
+    files: Vec<Read>,
+    instances: Vec<Reached>,
     roots: Vec<usize>,
     only_from: Option<usize>,
     wrapper: Option<usize>,
@@ -80,9 +85,7 @@ impl Basis {
 impl PartialEq for Basis {
     /// Fragments are the same where they are the cache's same one: it reads again only what has changed.
     fn eq(&self, other: &Self) -> bool {
-        let same = |(a, b): (&(Arc<str>, Arc<Fragment>), &(Arc<str>, Arc<Fragment>))| {
-            a.0 == b.0 && Arc::ptr_eq(&a.1, &b.1)
-        };
+        let same = |(a, b): (&Read, &Read)| a.0 == b.0 && Arc::ptr_eq(&a.1, &b.1);
         self.files.len() == other.files.len()
             && self.files.iter().zip(&other.files).all(same)
             && self.instances == other.instances

@@ -1,4 +1,4 @@
-//! One file per target: [`Shader`](crate::Shader) → WGSL, Shadertoy, GLSL ES 3.00, ISF, compute.toys, SPIR-V, HLSL, MSL, JSON,
+//! One file per target: `Shader` → WGSL, Shadertoy, GLSL ES 3.00, ISF, compute.toys, SPIR-V, HLSL, MSL, JSON,
 //! or Rust.
 //!
 //! A target says how it wants the shader composed (`Target::stage`, `Target::bake`); `export` then writes the file. Targets
