@@ -105,7 +105,7 @@ fn every_preset_can_be_read_on_shadertoy() {
             word.strip_prefix("_e")
                 .is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|b| b.is_ascii_digit()))
         };
-        assert!(!present.iter().any(|word| is_naga(word)), "{name}");
+        assert!(!present.iter().any(is_naga), "{name}");
         let endless = |text: &str| text.matches("while (true)").count() + text.matches("while(true)").count();
         assert!(endless(&file.text) <= endless(&standalone), "{name}");
         println!("{name}: {} bytes, {lines} lines of {before}, {found} of {total} comments", file.text.len());
