@@ -13,10 +13,14 @@
 //! [`check`] → [`export`] and [`render`]. Most hosts need only what stands at the crate's root.
 
 pub mod bake;
+pub mod build;
+#[cfg(feature = "check")]
 pub mod check;
 pub mod compose;
 pub mod diagnostic;
 pub mod export;
+mod module;
+mod ordered;
 pub mod preset;
 #[cfg(feature = "render")]
 pub mod render;
@@ -24,10 +28,16 @@ mod shader;
 pub mod source;
 pub mod syntax;
 mod template;
+#[cfg(feature = "watch")]
+pub mod watch;
 
 pub use bake::{Bake, Interface};
+pub use compose::Prefix;
 pub use diagnostic::{Diagnostic, Error};
+pub use module::Module;
 pub use preset::Preset;
+#[cfg(feature = "render")]
+pub use render::sample;
 pub use shader::{Compose, Shader, compose};
 pub use source::{Library, Templates};
 

@@ -49,14 +49,38 @@ fn files(folder: &Path) -> Vec<PathBuf> {
 fn help_teaches_every_command() {
     let help = orogen(&["--help"]);
     assert_eq!(status(&help), 0);
-    for word in ["export", "check", "render", "params", "list", "eval", "Exit status", "orogen export alpine"]
-    {
+    for word in [
+        "export",
+        "check",
+        "render",
+        "params",
+        "list",
+        "eval",
+        "heightmap",
+        "Exit status",
+        "orogen export alpine",
+    ] {
         assert!(out(&help).contains(word), "{word}");
     }
-    for command in ["export", "check", "render", "params", "list", "eval"] {
+    for command in ["export", "check", "render", "params", "list", "eval", "heightmap"] {
         assert_eq!(status(&orogen(&[command, "--help"])), 0, "{command}");
     }
     assert!(out(&orogen(&["--version"])).starts_with("orogen 0."));
+}
+
+#[test]
+fn minify_writes_less_and_its_map_beside_it() {
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name).display().to_string();
+    let (long, short) = (at("long.wgsl"), at("short.wgsl"));
+    assert_eq!(status(&orogen(&["export", "dunes", "-o", &long])), 0);
+    assert_eq!(status(&orogen(&["export", "dunes", "--minify", "--source-map", "-o", &short])), 0);
+    let size = |path: &str| fs::metadata(path).expect("it was written").len();
+    assert!(size(&short) * 3 < size(&long));
+    assert!(size(&(short.clone() + ".map")) > 1000);
+    assert_eq!(status(&orogen(&["check", &short])), 0, "what was written is a shader");
+    let glsl = orogen(&["export", "dunes", "--minify", "--target", "glsl"]);
+    assert!(out(&glsl).starts_with("#version 300 es\n// dunes: "), "{}", out(&glsl));
 }
 
 #[test]
@@ -67,6 +91,8 @@ fn what_makes_no_sense_exits_with_2() {
         &["export"],
         &["export", "alpine", "--target", "pdf"],
         &["export", "alpine", "--source-map"],
+        &["export", "alpine", "--minify", "--target", "spirv"],
+        &["export", "alpine", "--minify", "--target", "json"],
         &["export", "alpine", "--target", "glsl", "--stage", "compute"],
         &["render", "alpine", "--size", "0x5"],
         &["render", "alpine", "--size", "banana"],
@@ -76,8 +102,19 @@ fn what_makes_no_sense_exits_with_2() {
         &["render", "alpine", "--frames", "0"],
         &["render", "alpine", "--frames", "2", "--fps", "-3"],
         &["render", "alpine", "--fps", "24"],
+        &["render", "alpine", "--mouse", "1,2,3"],
+        &["render", "alpine", "--mouse", "1,2,3,nan"],
+        &["render", "alpine", "--mouse", "1,2,3,4,5"],
         &["render", "alpine", "--projection", "fisheye"],
         &["render", "alpine", "--faces"],
+        &["render", "alpine", "--watch"],
+        &["heightmap", "alpine", "--origin", "1000"],
+        &["heightmap", "alpine", "--origin", "0.0001,0"],
+        &["heightmap", "alpine", "--size", "0"],
+        &["heightmap", "alpine", "--size", "-5"],
+        &["heightmap", "alpine", "--pixels", "many"],
+        &["heightmap", "alpine", "--range", "5,1"],
+        &["heightmap", "alpine", "--range", "nan,1"],
         &["export", "alpine", "--live", " "],
         &["export", "alpine", "--overrides", "sun.*,"],
         &["export", "<noise/perlin.wgsl"],
@@ -123,6 +160,10 @@ fn wrong_input_exits_with_1_and_says_why() {
         (&["render", "alpine", "--view", "stpes", "-o", "picture.png"], "did you mean `steps`?"),
         (&["render", &bare, "--projection", "cube", "-o", "picture.png"], "error[OR0914]"),
         (&["render", "dunes", "--projection", "cube", "--size", "64x32", "-o", "x.png"], "error[OR0909]"),
+        (&["heightmap", "alpine", "-o", "land.jpg"], "error[OR0935]"),
+        (&["heightmap", "flight", "-o", "land.png"], "error[OR0930]"),
+        (&["heightmap", "alpine", "--pixels", "1", "-o", "land.png"], "error[OR0931]"),
+        (&["heightmap", "alpine", "--footprint=-1", "-o", "land.png"], "error[OR0931]"),
         (&["export", "alpine", "--view", "../scene/landscape"], "there is no debug view"),
         (&["export", "alpine", "--view", "sight"], "there is no debug view"),
         (&["export", "alpine", "--view", "steps", "--set", "display.exposed=1"], "`display.exposure`?"),
@@ -599,6 +640,31 @@ fn main_image(p: vec2f) -> vec4f { return vec4f(fract(frame.time), f32(frame.ind
     }
 }
 
+#[test]
+fn a_drag_of_the_mouse_reaches_the_scene_as_on_shadertoy() {
+    let folder = folder();
+    let scene = put(
+        &folder,
+        "mouse.wgsl",
+        "#include <frame.wgsl>
+fn main_image(p: vec2f) -> vec4f { return vec4f(abs(frame.mouse.xyz) / 255.0, step(0.0, -frame.mouse.w)); }\n",
+    );
+    let path = folder.path().join("mouse.png").display().to_string();
+    for (more, expected) in [
+        (&["--set", "frame.mouse=[1,2,3,4]"] as &[&str], [1, 2, 3, 0]),
+        (&["--set", "frame.mouse=[1,2,3,4]", "--mouse", "-40,90,200,-7"], [40, 90, 200, 255]),
+        (&["--mouse", " 10.0, 20, 30, -5 ", "--live", "*"], [10, 20, 30, 255]),
+        (&["--mouse", "10,20,30,40", "--frames", "1"], [10, 20, 30, 0]),
+    ] {
+        let output = orogen(&[&["render", &scene, "--size", "4x4", "-o", &path], more].concat());
+        assert_eq!(status(&output), 0, "{}", err(&output));
+        let name = if more.contains(&"--frames") { "mouse_0001.png" } else { "mouse.png" };
+        let found = picture(&folder, name).0.to_rgba8();
+        let found = found.get_pixel(0, 0);
+        assert!((0..4).all(|i| found[i].abs_diff(expected[i]) <= 1), "{more:?}: {found:?}");
+    }
+}
+
 /// The picture of that name, and its size.
 fn picture(folder: &tempfile::TempDir, name: &str) -> (image::DynamicImage, (u32, u32)) {
     let picture = image::open(folder.path().join(name)).expect("it was written");
@@ -714,4 +780,37 @@ fn without_an_adapter_the_status_is_3_and_the_cure_is_told() {
         .expect("it starts");
     assert_eq!(status(&output), 3, "{}", err(&output));
     assert!(err(&output).contains("mesa-vulkan-drivers"), "{}", err(&output));
+}
+
+#[test]
+fn heightmap_writes_a_tile_and_the_words_beside_it() {
+    let folder = folder();
+    let tile = |origin: &str, name: &str, more: &[&str]| {
+        let path = folder.path().join(name).display().to_string();
+        let command =
+            ["heightmap", "alpine", "--origin", origin, "--size", "512.5", "--pixels", "9", "-o", &path];
+        let output = orogen(&[&command as &[&str], more].concat());
+        assert_eq!(status(&output), 0, "{}", err(&output));
+        let about = fs::read_to_string(format!("{path}.json")).expect("it is written beside");
+        let about: serde_json::Value = serde_json::from_str(&about).expect("it is JSON");
+        (fs::read(path).expect("it is written"), about, err(&output))
+    };
+    let (west, about, said) = tile("-9570,-6988.25", "a.r16", &[]);
+    let (east, beside, _) = tile("-9057.5,-6988.25", "b.r16", &["-q"]);
+    assert_eq!(west.len(), 9 * 9 * 2);
+    let column = |file: &[u8], index: usize| -> Vec<u8> {
+        file.chunks_exact(18).flat_map(|row| row[2 * index..2 * index + 2].to_vec()).collect()
+    };
+    assert_eq!(column(&west, 8), column(&east, 0), "they share their border");
+    assert_eq!(about["encoding"], beside["encoding"], "and what their numbers mean");
+    assert_eq!((&about["origin"]["x"], &about["size"]), (&(-9570.0).into(), &512.5.into()));
+    assert!(said.contains("9x9 heights every 64.0625 m") && said.contains("a.r16.json"), "{said}");
+
+    let (png, ..) = tile("0,0", "c.png", &[]);
+    assert!(png.starts_with(b"\x89PNG"));
+    let (exr, about, _) = tile("0,0", "d.exr", &["--footprint", "64"]);
+    assert!(exr.starts_with(&[0x76, 0x2f, 0x31, 0x01]));
+    assert_eq!(about["encoding"]["type"], "f32");
+    let (_, _, said) = tile("0,0", "e.png", &["--range", "-1,1", "-q"]);
+    assert!(said.contains("warning: 81 of 81 heights lie outside of -1 m to 1 m"), "{said}");
 }

@@ -85,7 +85,8 @@ fn every_preset_is_written_for_every_target_and_the_judges_agree() {
                     Target::Json => {
                         drop(serde_json::from_str::<serde_json::Value>(&text()).expect("is JSON"))
                     }
-                    Target::Wgsl | Target::Hlsl | Target::Msl => {
+                    Target::Isf | Target::ComputeToys => {} // tests/glsl_hosts.rs knows what surrounds them
+                    Target::Wgsl | Target::Hlsl | Target::Msl | Target::Rust => {
                         assert!(text().starts_with(&format!("// {name}: ")));
                         assert!(!text().contains("\n\n\n"), "{file_name} has two empty lines in a row");
                         assert!(text().ends_with('\n'));
@@ -132,35 +133,26 @@ fn a_target_is_found_by_its_name_and_a_wrong_one_gets_the_nearest() {
 
 #[test]
 fn what_es300_lacks_is_refused_at_the_authors_place() {
-    let built_ins = [
-        ("countOneBits", "f32(countOneBits(u32(p.x)))"),
-        ("countLeadingZeros", "f32(countLeadingZeros(u32(p.x)))"),
-        ("countTrailingZeros", "f32(countTrailingZeros(u32(p.x)))"),
-        ("firstLeadingBit", "f32(firstLeadingBit(u32(p.x)))"),
-        ("firstTrailingBit", "f32(firstTrailingBit(u32(p.x)))"),
-        ("reverseBits", "f32(reverseBits(u32(p.x)))"),
-        ("extractBits", "f32(extractBits(u32(p.x), 1u, 2u))"),
-        ("insertBits", "f32(insertBits(u32(p.x), 1u, 2u, 3u))"),
-        ("ldexp", "ldexp(p.x, i32(p.y))"),
-        ("frexp", "frexp(p.x).fract"),
-        ("pack4x8unorm", "f32(pack4x8unorm(p.xyxy))"),
-        ("unpack4x8snorm", "unpack4x8snorm(u32(p.x)).x"),
-        ("select", "f32(select(vec2i(p), vec2i(1), p < vec2f(1.0)).x)"),
+    let cases = [
+        ("`textureLoad`", "textureLoad(map, vec2u(p), 0).x"),
+        ("a variable in `storage`", "numbers.a"),
+        ("an array whose length is not fixed", "rows[0]"),
     ];
-    for (name, value) in built_ins {
-        for target in [Target::Glsl, Target::Shadertoy] {
-            let source = format!(
-                "fn inner(p: vec2f) -> f32 {{\n    return {value};\n}}\nfn main_image(p: vec2f) -> vec4f {{ return vec4f(inner(p)); }}"
-            );
-            let error = error_of(&source, target);
-            let diagnostic = &error.diagnostics()[0];
-            assert_eq!(diagnostic.code, "OR0806", "{error}");
-            assert!(diagnostic.message.contains(name) && diagnostic.help.is_some(), "{error}");
-            let label = diagnostic.labels.first().expect("points somewhere");
-            assert_eq!(error.files().get(label.file).line_of(label.span.start as usize), 1, "{error}");
-        }
+    let bound = "@group(0) @binding(0) var map: texture_2d<f32>;\n\
+        struct Numbers { a: f32 }\n\
+        @group(0) @binding(1) var<storage> numbers: Numbers;\n\
+        @group(0) @binding(2) var<storage> rows: array<f32>;\n";
+    for (what, value) in cases {
+        let source = format!(
+            "{bound}fn inner(p: vec2f) -> f32 {{\n    return {value};\n}}\nfn main_image(p: vec2f) -> vec4f {{ return vec4f(inner(p)); }}"
+        );
+        let error = error_of(&source, Target::Glsl);
+        let diagnostic = &error.diagnostics()[0];
+        assert_eq!(diagnostic.code, "OR0806", "{error}");
+        assert!(diagnostic.message.contains(what) && diagnostic.help.is_some(), "{error}");
+        assert_eq!(code_of(&source, Target::Shadertoy), "OR0808", "it cannot bind anything");
         let unused = format!(
-            "fn unused(p: vec2f) -> f32 {{ return {value}; }}\nfn main_image(p: vec2f) -> vec4f {{ return p.xyxy; }}"
+            "{bound}fn unused(p: vec2f) -> f32 {{ return {value}; }}\nfn main_image(p: vec2f) -> vec4f {{ return p.xyxy; }}"
         );
         assert!(text_of(&unused, Target::Glsl).is_ok(), "what is not reached does not matter");
     }
@@ -186,7 +178,7 @@ fn what_es300_has_is_written_so_that_glslang_agrees() {
         );
         match text_of(&source, Target::Glsl) {
             Ok(text) => glslang(&format!("built_ins_{index}.frag"), &text),
-            Err(error) => assert_eq!(error.diagnostics()[0].code, "OR0810", "{error}"),
+            Err(error) => panic!("{error}"),
         }
     }
 }
@@ -210,13 +202,9 @@ fn names_on_shadertoy_are_the_authors_but_for_those_that_are_taken() {
     .expect("is text");
     on_shadertoy("names.frag", &text);
     assert!(text.contains("float noise2(vec2 p)"), "{text}");
-    assert!(text.contains("\n// How much.\nfloat g_gain2 = 0.5;  // 0 .. 1\n"), "{text}");
-    assert!(text.contains("    frame_time = iTime;\n"), "{text}");
-    assert!(text.contains("    frame_index = uint(iFrame);\n"), "{text}");
-    assert!(
-        !text.contains("frame_mouse") && !text.contains("uniform") && !text.contains("#version"),
-        "{text}"
-    );
+    assert!(text.contains("\n/// How much.\nfloat g_gain2 = 0.5;  // 0 .. 1\n"), "{text}");
+    assert!(text.contains("s.input_ + iTime + float(uint(iFrame))"), "{text}");
+    assert!(!text.contains("frame_") && !text.contains("uniform") && !text.contains("#version"), "{text}");
 }
 
 #[test]
@@ -260,18 +248,13 @@ fn the_entry_point_is_the_first_or_the_one_that_is_named() {
 #[test]
 fn an_override_without_a_default_is_an_error_for_targets_that_have_none() {
     let source = "override gain: f32; @fragment fn main() -> @location(0) vec4f { return vec4f(gain); }";
-    for target in [Target::Glsl, Target::Shadertoy, Target::Spirv, Target::Hlsl, Target::Msl] {
+    for target in [Target::Spirv, Target::Hlsl, Target::Msl] {
         assert_eq!(code_of(source, target), "OR0809", "{target}");
     }
+    for target in [Target::Glsl, Target::Shadertoy] {
+        assert_eq!(code_of(source, target), "OR0806", "{target}"); // at its place
+    }
     assert!(text_of(source, Target::Wgsl).is_ok());
-}
-
-#[test]
-fn what_naga_cannot_write_is_an_error_with_its_reason() {
-    let source = "@group(0) @binding(0) var<storage> a: array<vec4f>; @fragment fn main() -> @location(0) vec4f { return a[0]; }";
-    let error = error_of(source, Target::Glsl);
-    assert_eq!(error.diagnostics()[0].code, "OR0810", "{error}");
-    assert!(error.diagnostics()[0].notes[0].starts_with("naga says: "), "{error}");
 }
 
 #[test]

@@ -7,10 +7,11 @@
 
 use std::path::Path;
 
+use orogen::build::Bindings;
 use orogen::check::Panicked;
 use orogen::export::{ExportError, Stage, Target, export_entry};
 use orogen::render::RenderError;
-use orogen::{Bake, Compose, Error, Library, Preset, Templates};
+use orogen::{Bake, Compose, Error, Library, Prefix, Preset, Templates};
 
 /// Holds the text of `error` against the file of that name.
 fn expect(name: &str, error: impl Into<Error>) {
@@ -40,7 +41,9 @@ fn what_a_target_lacks_is_told_at_its_place() {
     let fragment = |takes: &str| {
         format!("@fragment\nfn main({takes}) -> @location(0) vec4f {{\n    return vec4f(1.0);\n}}\n")
     };
-    expect("no-such-built-in", refused(&in_main("f32(countOneBits(u32(p.x)))"), Target::Glsl, None));
+    let texture = "@group(1) @binding(0) var map: texture_2d<f32>;\n\n".to_owned()
+        + &in_main("textureLoad(map, vec2u(p), 0).x");
+    expect("not-in-es300", refused(&texture, Target::Glsl, None));
     expect("cannot-be-wrapped", refused(&fragment("@location(0) uv: vec2f"), Target::Shadertoy, None));
     let bound = "@group(1) @binding(0) var<uniform> tint: vec4f;\n\n".to_owned() + &in_main("tint.x");
     expect("nothing-is-bound-there", refused(&bound, Target::Shadertoy, None));
@@ -49,9 +52,33 @@ fn what_a_target_lacks_is_told_at_its_place() {
     let gain = "override gain: f32;\n\n".to_owned() + &in_main("gain");
     expect("an-override-without-a-default", refused(&gain, Target::Spirv, None));
     let storage = "@group(1) @binding(0) var<storage> a: array<vec4f>;\n\n".to_owned() + &in_main("a[0].x");
-    expect("naga-cannot-write-it", refused(&storage, Target::Glsl, None));
+    expect("no-storage-in-es300", refused(&storage, Target::Glsl, None));
+    let why = "feature Features(SUBGROUP_OPERATIONS) is not supported".into();
+    expect("naga-cannot-write-it", ExportError::Writer { target: Target::Hlsl, why });
     expect("no-such-target", "glls".parse::<Target>().expect_err("there is none"));
+    let why = "index out of bounds".into();
+    expect("orogen-failed", ExportError::Fault { target: Target::Glsl, why });
+    expect("cannot-be-minified", ExportError::NotMinified { target: Target::Msl });
+    let why = "no definition in scope for identifier: `a`".into();
+    expect("minified-is-not-valid", ExportError::Minifier { why });
     expect("no-such-stage", Target::Glsl.stage(Some(Stage::Compute)).expect_err("there is none"));
+}
+
+#[test]
+fn what_modules_and_bindings_cannot_be_is_told() {
+    let prefixed = {
+        let mut composer = Compose::default();
+        composer.prefix = Prefix::new("og_").expect("names can start so");
+        composer.stage = Stage::MainImage;
+        let preset =
+            Preset::of_text("scene.wgsl", "fn main_image(p: vec2f) -> vec4f {\n    return vec4f(1.0);\n}\n");
+        composer.run(&Library::standard(), &preset, &Bake::constants()).expect("it is valid")
+    };
+    let export = export_entry(&prefixed, Target::Shadertoy, None, &Templates::standard());
+    expect("no-prefix-there", export.expect_err("the target calls by name"));
+    let bindings = Bindings::new(Preset::of_text("scene.wgsl", "fn f() {}\n"));
+    let written = bindings.write_to("no/such/folder", "scene").err().expect("there is no such folder");
+    expect("bindings-cannot-be-written", written);
 }
 
 #[test]

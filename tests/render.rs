@@ -601,11 +601,13 @@ fn sizes_of_nothing_and_beyond_the_device_are_refused() {
 }
 
 #[test]
-fn shots_of_no_samples_or_at_no_time_are_refused() {
+fn shots_of_no_samples_at_no_time_or_with_the_mouse_nowhere_are_refused() {
     let preset = scene("return vec4f(p, 0.0, 1.0);");
     let shot = Shot::new(8, 8);
     expect_text("samples-zero.txt", &refusal(&preset, &Shot { samples: 0, ..shot }).render(false));
     expect_text("time-nan.txt", &refusal(&preset, &Shot { time: f32::NAN, ..shot }).render(false));
+    let mouse = Some([0.0, f32::INFINITY, 0.0, 0.0]);
+    expect_text("mouse-nowhere.txt", &refusal(&preset, &Shot { mouse, ..shot }).render(false));
 }
 
 #[test]

@@ -32,9 +32,21 @@ impl Facts {
             name: clean(&composition.name),
             about: clean(&composition.about),
             version: env!("CARGO_PKG_VERSION"),
-            options: composition.options.iter().map(option).collect(),
+            options: composition
+                .options
+                .iter()
+                .filter(|option| option.read || option.decides)
+                .map(option)
+                .collect(),
             licences: licences(composition),
         }
+    }
+
+    /// The licence that most files are under.
+    #[cfg(feature = "check")]
+    pub(crate) fn main_licence(&self) -> &str {
+        let most = self.licences.iter().max_by_key(|entry| entry.files.len());
+        most.map_or("", |entry| &entry.licence)
     }
 }
 

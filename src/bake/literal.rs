@@ -26,7 +26,7 @@ pub(super) fn float(value: f32) -> String {
 }
 
 /// `value` as the code reads it: angles in radians.
-pub(super) fn in_code(value: &Value, unit: Option<&str>) -> Value {
+pub(crate) fn in_code(value: &Value, unit: Option<&str>) -> Value {
     if unit != Some("deg") {
         return *value;
     }

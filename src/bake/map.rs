@@ -36,7 +36,7 @@ pub struct Origin {
 
 impl SourceMap {
     /// Adds a stretch behind all others.
-    pub(super) fn push(&mut self, segment: Segment) {
+    pub(crate) fn push(&mut self, segment: Segment) {
         if !segment.out.is_empty() {
             self.segments.push(segment);
         }

@@ -11,7 +11,9 @@ mod plan;
 mod text;
 
 pub(crate) use facts::Facts;
-pub use interface::{Binding, EntryPoint, Field, Interface, Override, Uniform};
+pub(crate) use interface::suffixes;
+pub use interface::{Binding, EntryPoint, Field, Interface, Override, Resource, Uniform, UniformGroup};
+pub(crate) use literal::in_code;
 pub use literal::literal;
 pub use map::{Origin, Segment, SourceMap};
 pub use plan::{Bake, Storage};
@@ -79,8 +81,8 @@ fn layout_bytes<'a>(
     let Some(uniform) = &interface.uniform else { return Vec::new() };
     let mut bytes = vec![0; uniform.size as usize];
     for (declared, value) in values {
-        let name = declared.decl.key.flat();
-        if let Some(field) = uniform.fields.iter().find(|field| field.name == name) {
+        let key = declared.decl.key.to_string();
+        if let Some(field) = uniform.fields.iter().find(|field| field.parameter == key) {
             let value = literal::in_code(&value, declared.decl.unit.as_deref());
             let at = field.offset as usize;
             bytes[at..at + field.size as usize].copy_from_slice(&literal::bytes(&value));

@@ -14,6 +14,8 @@ pub struct Bake {
     pub(crate) overrides: Vec<String>,
     /// Live parameters are module-scope variables instead of fields of a uniform buffer.
     pub(crate) variables: bool,
+    /// Those of the group `frame` are, whatever the others are.
+    pub(crate) frame_variables: bool,
     /// Bind group and binding of the uniform buffer.
     pub(crate) binding: (u32, u32),
 }
@@ -43,6 +45,13 @@ impl Bake {
     #[must_use]
     pub fn at_binding(mut self, group: u32, binding: u32) -> Self {
         self.binding = (group, binding);
+        self
+    }
+
+    /// The parameters of the group `frame` are plain module-scope variables, for targets whose hosts set each by its name.
+    #[must_use]
+    pub fn with_frame_as_variables(mut self) -> Self {
+        self.frame_variables = true;
         self
     }
 
@@ -81,7 +90,10 @@ pub(super) fn plan(composition: &Composition, bake: &Bake) -> Result<Vec<Storage
     }
     let when_live = if bake.variables { Storage::Variable } else { Storage::Uniform };
     let storage = composition.parameters.iter().enumerate().map(|(index, parameter)| {
-        if live[index] || parameter.decl.key.group == "frame" {
+        let is_frame = parameter.decl.key.group == "frame";
+        if is_frame && bake.frame_variables {
+            Storage::Variable
+        } else if live[index] || is_frame {
             when_live
         } else if overrides[index] {
             Storage::Override

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde::Serialize;
 
 use super::facts::Facts;
-use super::interface::{Interface, suffixes};
+use super::interface::{Interface, by_group, padding, suffixes};
 use super::literal::{in_code, literal, scalars, uniform_type};
 use super::map::{Segment, SourceMap};
 use super::plan::Storage;
@@ -19,6 +19,9 @@ use crate::template;
 /// Around the number of a piece in the rendered template. Both are private-use characters: what comes into the template
 /// from outside is freed of them.
 const MARKS: (char, char) = ('\u{e0f0}', '\u{e0f1}');
+
+/// The heading of live parameters that are variables.
+const LIVE: &str = "live parameters: change them here";
 
 /// What stands at a mark.
 enum Insert<'a> {
@@ -49,8 +52,8 @@ struct Group {
 struct UniformBlock {
     group: u32,
     binding: u32,
-    name: &'static str,
-    ty: &'static str,
+    name: String,
+    ty: String,
     fields: Vec<Item>,
 }
 
@@ -171,14 +174,15 @@ impl Writer<'_> {
     /// How the code reads a parameter or an option.
     fn read(&self, knob: Knob) -> String {
         let index = match knob {
-            Knob::Option(index) => return self.composition.options[index].decl.key.flat(),
+            Knob::Option(index) => return self.composition.flat(&self.composition.options[index].decl.key),
             Knob::Parameter(index) => index,
         };
         let decl = &self.composition.parameters[index].decl;
-        let flat = decl.key.flat();
+        let flat = self.composition.flat(&decl.key);
+        let uniform = || self.composition.prefix.before(UNIFORM.0);
         match (self.storage[index], decl.ty) {
-            (Storage::Uniform, Type::Bool) => format!("({}.{flat} != 0u)", UNIFORM.0),
-            (Storage::Uniform, _) => format!("{}.{flat}", UNIFORM.0),
+            (Storage::Uniform, Type::Bool) => format!("({}.{flat} != 0u)", uniform()),
+            (Storage::Uniform, _) => format!("{}.{flat}", uniform()),
             (Storage::Override, ty) if ty.components() > 1 => {
                 let parts: Vec<_> = suffixes(ty).iter().map(|suffix| format!("{flat}{suffix}")).collect();
                 format!("{ty}({})", parts.join(", "))
@@ -197,21 +201,38 @@ fn context<'a>(
 ) -> Context {
     let mut groups: Vec<Group> = Vec::new();
     let mut fields = Vec::new();
-    for index in used {
+    let layout = interface.uniform.as_ref();
+    let mut pads = 0;
+    for index in &by_group(composition, storage, used) {
         let parameter = &composition.parameters[*index];
-        let item = parameter_item(parameter, storage[*index], inserts);
+        let flat = composition.flat(&parameter.decl.key);
+        let item = parameter_item(parameter, &flat, storage[*index], inserts);
         if storage[*index] == Storage::Uniform {
+            let at = layout.and_then(|uniform| uniform.fields.get(fields.len() - pads));
+            let last = layout.and_then(|uniform| uniform.fields.get((fields.len() - pads).checked_sub(1)?));
+            if let (Some(last), Some(at)) = (last, at) {
+                let end = last.offset + last.size;
+                let starts = layout.is_some_and(|u| u.groups.iter().any(|group| group.offset == at.offset));
+                for ty in padding(end, if starts { at.offset } else { end }) {
+                    fields.push(Item { lines: vec![format!("_pad{pads}: {ty},")], ..Item::default() });
+                    pads += 1;
+                }
+            }
             fields.push(item);
         } else {
-            group(&mut groups, &parameter.decl.key.group).items.push(item);
+            let key = &parameter.decl.key.group;
+            let is_live = storage[*index] == Storage::Variable && key != "frame";
+            group(&mut groups, if is_live { LIVE } else { key }).items.push(item);
         }
     }
+    // What a person may change by hand comes first.
+    groups.sort_by_key(|group| group.name != LIVE);
     let read = composition.options.iter().filter(|option| option.read);
     for option in read {
         let key = &option.decl.key;
         let value = option.decl.show(option.value);
         let ty = if matches!(option.value, OptionValue::Bool(_)) { "bool" } else { "i32" };
-        let text = format!("const {}: {ty} = {value};", key.flat());
+        let text = format!("const {}: {ty} = {value};", composition.flat(key));
         let item = Item {
             name: key.to_string(),
             doc: lines(&option.decl.doc),
@@ -224,8 +245,8 @@ fn context<'a>(
     let uniform = interface.uniform.as_ref().map(|uniform| UniformBlock {
         group: uniform.group,
         binding: uniform.binding,
-        name: UNIFORM.0,
-        ty: UNIFORM.1,
+        name: uniform.name.clone(),
+        ty: composition.prefix.before(UNIFORM.1),
         fields,
     });
     let modules = composition.parts.iter().map(|part| Item {
@@ -247,7 +268,7 @@ fn context<'a>(
             .collect(),
         groups,
         uniform,
-        slots: composition.slots.iter().map(|slot| slot_item(slot, inserts)).collect(),
+        slots: composition.slots.iter().map(|slot| slot_item(composition, slot, inserts)).collect(),
         modules,
     }
 }
@@ -260,9 +281,14 @@ fn group<'a>(groups: &'a mut Vec<Group>, name: &str) -> &'a mut Group {
     &mut groups[at]
 }
 
-fn parameter_item(parameter: &Parameter, storage: Storage, inserts: &mut Vec<Insert<'_>>) -> Item {
+fn parameter_item(
+    parameter: &Parameter,
+    flat: &str,
+    storage: Storage,
+    inserts: &mut Vec<Insert<'_>>,
+) -> Item {
     let decl = &parameter.decl;
-    let (flat, ty) = (decl.key.flat(), decl.ty);
+    let ty = decl.ty;
     let value = in_code(&parameter.value, decl.unit.as_deref());
     let texts = match storage {
         Storage::Const => vec![format!("const {flat}: {ty} = {};", literal(&value))],
@@ -290,11 +316,12 @@ fn parameter_item(parameter: &Parameter, storage: Storage, inserts: &mut Vec<Ins
     }
 }
 
-fn slot_item(open: &OpenSlot, inserts: &mut Vec<Insert<'_>>) -> Item {
+fn slot_item(composition: &Composition, open: &OpenSlot, inserts: &mut Vec<Insert<'_>>) -> Item {
     let signature = &open.slot.signature;
     let takes: Vec<_> = signature.takes.iter().enumerate().map(|(n, ty)| format!("a{n}: {ty}")).collect();
     let gives = signature.gives.as_ref();
-    let head = format!("fn {}({})", open.slot.name.value, takes.join(", "));
+    let name = composition.prefix.before(&open.slot.name.value);
+    let head = format!("fn {name}({})", takes.join(", "));
     let text = match gives {
         Some(ty) => format!("{head} -> {ty} {{ return {ty}(); }}"),
         None => format!("{head} {{}}"),

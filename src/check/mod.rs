@@ -9,7 +9,7 @@ pub use guard::{Panicked, is_guarded};
 use naga::front::wgsl;
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 
-use crate::bake::{Baked, Binding, EntryPoint, Interface};
+use crate::bake::{Baked, Binding, EntryPoint, Interface, Resource};
 use crate::diagnostic::{Diagnostic, Error};
 
 /// A shader that naga has parsed and validated.
@@ -46,7 +46,7 @@ pub fn check(baked: Baked) -> Result<Checked, Error> {
     });
     match outcome {
         Ok(Ok((module, info))) => {
-            let interface = complete(baked.interface.clone(), &module);
+            let interface = complete(baked.interface.clone(), &module, &info);
             Ok(Checked { baked, interface, module, info })
         }
         Ok(Err(fault)) => {
@@ -74,7 +74,7 @@ enum Fault {
 }
 
 /// Entry points and bindings, from naga's module.
-fn complete(mut interface: Interface, module: &naga::Module) -> Interface {
+fn complete(mut interface: Interface, module: &naga::Module, info: &ModuleInfo) -> Interface {
     interface.entry_points = module
         .entry_points
         .iter()
@@ -84,13 +84,19 @@ fn complete(mut interface: Interface, module: &naga::Module) -> Interface {
             workgroup_size: (entry.stage == naga::ShaderStage::Compute).then_some(entry.workgroup_size),
         })
         .collect();
-    let bound = module.global_variables.iter().filter_map(|(_, variable)| {
+    let ours = interface.uniform.as_ref();
+    let bound = module.global_variables.iter().filter_map(|(handle, variable)| {
         let place = variable.binding.as_ref()?;
         Some(Binding {
             group: place.group,
             binding: place.binding,
             name: variable.name.clone().unwrap_or_default(),
             kind: kind(module, variable).to_owned(),
+            stages: stages(module, info, handle),
+            // Ours is a whole number of 16 bytes, which suits every back end.
+            resource: ours
+                .filter(|ours| variable.name.as_ref() == Some(&ours.name))
+                .map_or_else(|| resource(module, variable), |ours| Resource::Uniform { size: ours.size }),
         })
     });
     interface.bindings = bound.collect();
@@ -104,6 +110,77 @@ pub(crate) fn stage_name(stage: naga::ShaderStage) -> &'static str {
         naga::ShaderStage::Fragment => "fragment",
         naga::ShaderStage::Compute => "compute",
         _ => "other",
+    }
+}
+
+/// The stages of the entry points that read a variable, each once.
+fn stages(
+    module: &naga::Module,
+    info: &ModuleInfo,
+    variable: naga::Handle<naga::GlobalVariable>,
+) -> Vec<&'static str> {
+    let reads = |(index, _): &(usize, &naga::EntryPoint)| !info.get_entry_point(*index)[variable].is_empty();
+    let mut stages: Vec<_> = module
+        .entry_points
+        .iter()
+        .enumerate()
+        .filter(reads)
+        .map(|(_, entry)| stage_name(entry.stage))
+        .collect();
+    stages
+        .sort_unstable_by_key(|stage| ["vertex", "fragment", "compute"].iter().position(|one| one == stage));
+    stages.dedup();
+    stages
+}
+
+/// What a layout has to say of a variable.
+fn resource(module: &naga::Module, variable: &naga::GlobalVariable) -> Resource {
+    use naga::{AddressSpace as Space, ImageClass as Class, StorageAccess as Access, TypeInner};
+    let inner = &module.types[variable.ty].inner;
+    let size = inner.size(module.to_ctx());
+    match (&variable.space, inner) {
+        (Space::Uniform, _) => Resource::Uniform { size },
+        (Space::Storage { access }, _) => {
+            Resource::Storage { read_only: !access.contains(Access::STORE), size }
+        }
+        (_, TypeInner::Sampler { comparison }) => Resource::Sampler { comparison: *comparison },
+        (_, TypeInner::Image { dim, arrayed, class }) => {
+            let dimension = dimension(*dim, *arrayed);
+            match class {
+                Class::Sampled { kind, multi } => {
+                    let sample = match kind {
+                        naga::ScalarKind::Sint => "sint",
+                        naga::ScalarKind::Uint => "uint",
+                        _ => "float",
+                    };
+                    Resource::Texture { sample, dimension, multisampled: *multi }
+                }
+                Class::Depth { multi } => {
+                    Resource::Texture { sample: "depth", dimension, multisampled: *multi }
+                }
+                Class::Storage { format, access } => {
+                    let access = match (access.contains(Access::LOAD), access.contains(Access::STORE)) {
+                        (true, true) => "ReadWrite",
+                        (true, false) => "ReadOnly",
+                        _ => "WriteOnly",
+                    };
+                    Resource::StorageTexture { format: format!("{format:?}"), access, dimension }
+                }
+                Class::External => Resource::Other,
+            }
+        }
+        _ => Resource::Other,
+    }
+}
+
+fn dimension(dim: naga::ImageDimension, arrayed: bool) -> &'static str {
+    match (dim, arrayed) {
+        (naga::ImageDimension::D1, _) => "D1",
+        (naga::ImageDimension::D2, false) => "D2",
+        (naga::ImageDimension::D2, true) => "D2Array",
+        (naga::ImageDimension::D3, _) => "D3",
+        (naga::ImageDimension::Cube, false) => "Cube",
+        (naga::ImageDimension::Cube, true) => "CubeArray",
     }
 }
 

@@ -8,6 +8,7 @@ const ALL_AROUND: &str = "\
 Examples:
   orogen render alpine --set sun.elevation=6 --samples 8 -o dusk.png
   orogen render alpine --frames 48 --fps 24 -o clouds.png               clouds_0001.png and 47 more
+  orogen render world.json -I shaders --watch -o world.png              anew on every save of any of its files
   orogen render alpine --projection equirectangular -o panorama.jpg     all around, 2:1
   orogen render alpine --projection cube -o sky.exr                     a skybox in linear light
   orogen render alpine --projection cube --faces -o sky.png             sky_px.png, sky_nx.png, …
@@ -31,8 +32,11 @@ Examples:
   orogen export alpine --target shadertoy -o alpine.glsl
   orogen render alpine --set sun.elevation=6 -o dusk.png
   orogen render alpine --view steps -o steps.png       a debug view: `orogen list views` names them
+  orogen heightmap alpine -o land.r16                  its land, for an engine's own terrain
   orogen params alpine                                 what can be set, and to what
   orogen export alpine --live 'sun.*' --target json    where a host finds the live parameters
+  orogen export '<sky/atmosphere.wgsl>' --prefix og_   a module to paste into a shader of yours
+  orogen export alpine --module terrain/height.wgsl    the same, with the preset's values
 
 A PRESET is a built-in name (alpine), the path of a .json file, the path of a .wgsl file, or a module of the library in
 angle brackets ('<noise/perlin.wgsl>').
@@ -49,7 +53,7 @@ pub(super) struct Arguments {
     pub(super) command: Command,
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 pub(super) struct Common {
     /// Lay a folder of fragments over the library (repeatable; the last one wins)
     #[arg(short = 'I', id = "folders", value_name = "DIR", global = true)]
@@ -57,6 +61,9 @@ pub(super) struct Common {
     /// Set a parameter or an option over the preset's value (repeatable)
     #[arg(long, value_name = "GROUP.NAME=VALUE", global = true)]
     pub(super) set: Vec<String>,
+    /// How much work for how good a picture: low, medium, high or ultra; the preset's unless told
+    #[arg(long, value_name = "NAME", global = true, value_parser = ["low", "medium", "high", "ultra"], hide_possible_values = true)]
+    pub(super) quality: Option<String>,
     /// Lay a folder over the templates that say what the files look like
     #[arg(long, value_name = "DIR", global = true)]
     pub(super) templates: Option<PathBuf>,
@@ -79,9 +86,11 @@ pub(super) enum Command {
     List(List),
     /// Evaluate a WGSL expression on the GPU, CSV out
     Eval(Eval),
+    /// Write the heights of a preset's land: tiles for an engine's own terrain
+    Heightmap(Heightmap),
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 pub(super) struct Baking {
     /// Keep these parameters live, in a uniform buffer: 'sun.*,clouds.coverage', a group, or 'default' for those
     /// declared `live`; wins over --overrides
@@ -92,7 +101,7 @@ pub(super) struct Baking {
     pub(super) overrides: Vec<String>,
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 pub(super) struct Viewing {
     /// A debug view in the place of the picture: steps, normals, …; `orogen list views` names them all
     #[arg(long, value_name = "NAME")]
@@ -114,6 +123,33 @@ pub(super) struct Export {
     pub(super) stage: Option<Stage>,
     #[command(flatten)]
     pub(super) baking: Baking,
+    /// Write it in fewer bytes: short names, no comments, no blank space, one line with the licences (wgsl, glsl and
+    /// shadertoy). Entry points, overrides, bindings and live parameters keep their names
+    #[arg(long)]
+    pub(super) minify: bool,
+    /// Of a Shadertoy file, write two: FILE for the tab Image, and beside it NAME.common.glsl with the library's functions
+    /// for the tab Common
+    #[arg(long, conflicts_with_all = ["minify", "source_map"])]
+    pub(super) common: bool,
+    /// A fragment of the library in the place of the preset's picture, on its own, with the preset's values:
+    /// terrain/height.wgsl
+    #[arg(long, value_name = "PATH", conflicts_with = "view")]
+    pub(super) module: Option<String>,
+    /// Of a fragment, only these functions, types and constants, and what they reach
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    pub(super) only: Vec<String>,
+    /// What every name of module scope is to start with, so that it collides with nothing: og_
+    #[arg(long, value_name = "PREFIX", default_value = "")]
+    pub(super) prefix: String,
+    /// Bind group and binding of the buffer of live parameters
+    #[arg(long, value_name = "GROUP,BINDING", default_value = "0,0", value_parser = binding)]
+    pub(super) binding: (u32, u32),
+    /// What vectors are in Rust
+    #[arg(long, value_enum, default_value = "arrays")]
+    pub(super) types: Types,
+    /// Leave the layouts of bind groups out of Rust, for a host without wgpu
+    #[arg(long)]
+    pub(super) no_layouts: bool,
     /// Write a Source Map (v3) beside the file, as FILE.map (wgsl only)
     #[arg(long)]
     pub(super) source_map: bool,
@@ -133,6 +169,10 @@ pub(super) enum Target {
     Shadertoy,
     /// A GLSL ES 3.00 fragment shader
     Glsl,
+    /// An Interactive Shader Format file: GLSL with a JSON header, whose inputs are the live parameters
+    Isf,
+    /// A WGSL file to paste into compute.toys
+    ComputeToys,
     /// SPIR-V 1.3, binary
     Spirv,
     /// HLSL, shader model 6.0
@@ -141,6 +181,16 @@ pub(super) enum Target {
     Msl,
     /// The interface: entry points, bindings, uniform layout, overrides, parameters
     Json,
+    /// Rust: live parameters as structs, names of overrides, layouts of bind groups, and the WGSL
+    Rust,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Types {
+    /// [f32; 3]
+    Arrays,
+    /// glam::Vec3
+    Glam,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -169,7 +219,7 @@ pub(super) enum MessageFormat {
     Json,
 }
 
-#[derive(Args)]
+#[derive(Clone, Args)]
 #[command(after_long_help = ALL_AROUND, after_help = "--help says more, with examples: panoramas, skyboxes for Bevy and three.js.")]
 pub(super) struct Render {
     /// Built-in preset, .json file or .wgsl file
@@ -192,6 +242,10 @@ pub(super) struct Render {
     /// The time of the (first) picture, in seconds; the preset's `frame.time` unless told
     #[arg(long, value_name = "S", allow_negative_numbers = true, value_parser = finite)]
     pub(super) time: Option<f32>,
+    /// A drag of the mouse, which turns the camera: where it is now and where it was pressed, in pixels from the bottom
+    /// left, as Shadertoy's iMouse; the preset's `frame.mouse` unless told
+    #[arg(long, value_name = "X,Y,CLICKX,CLICKY", allow_hyphen_values = true, value_parser = mouse)]
+    pub(super) mouse: Option<[f32; 4]>,
     /// Write a sequence of so many pictures, numbered
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub(super) frames: Option<u32>,
@@ -200,6 +254,10 @@ pub(super) struct Render {
     pub(super) fps: f32,
     #[command(flatten)]
     pub(super) baking: Baking,
+    /// Stay, and draw again whenever the preset, one that it extends, or a fragment of it on disk is saved; what is wrong
+    /// is said, and the picture stays as it was; Ctrl-C ends it
+    #[arg(long)]
+    pub(super) watch: bool,
     /// Part of the GPU adapter's name; WGPU_ADAPTER_NAME does the same
     #[arg(long, value_name = "NAME")]
     pub(super) adapter: Option<String>,
@@ -290,6 +348,92 @@ pub(super) struct Eval {
     pub(super) adapter: Option<String>,
 }
 
+const TILES: &str = "\
+Examples:
+  orogen heightmap alpine -o land.png                     2048 m from the origin on, every 2 m
+  orogen heightmap alpine --origin -9570,-6988 --size 1024 --pixels 513 -o a.r16
+  orogen heightmap alpine --origin -8546,-6988 --size 1024 --pixels 513 -o b.r16
+                                                          and its eastern neighbour
+  orogen heightmap alpine --size 30000 --pixels 1025 --footprint 29 -o far.exr
+                                                          far land, without aliasing
+
+The samples reach from edge to edge, SIZE / (N - 1) apart: the last column of a tile is the first
+of its eastern neighbour, bit for bit, in every format. So the next tile's origin is SIZE further.
+Rows run from north to south (z), each from west to east (x); the origin is the north-western
+sample.
+
+What 16 bits mean is the same for all tiles of a preset: the heights that its land can have
+anywhere, unless --range says otherwise. height = LOW + value / 65535 * (HIGH - LOW).
+  Unreal    .r16 or .png, N = 1009, 2017, 4033; scale Z = 100 * (HIGH - LOW) / 512
+  Unity     .r16 as RAW, 16 bit, Windows byte order, N = 513, 1025, 2049; height = HIGH - LOW
+  Godot     .exr, 32-bit float, as it is
+FILE.json, written beside, has range, origin, spacing, and the tile's lowest and highest height.";
+
+#[derive(Args)]
+#[command(after_long_help = TILES, after_help = "--help says more: how tiles fit together, and what engines want.")]
+pub(super) struct Heightmap {
+    /// Built-in preset, .json file or .wgsl file
+    #[arg(value_name = "PRESET|FILE")]
+    pub(super) preset: String,
+    /// The north-western sample: metres east and south of the world's origin, to the millimetre
+    #[arg(long, value_name = "X,Z", default_value = "0,0", allow_hyphen_values = true, value_parser = place)]
+    pub(super) origin: [i64; 2],
+    /// From the first sample to the last, each way, in metres, to the millimetre
+    #[arg(long, value_name = "M", default_value = "2048", value_parser = width)]
+    pub(super) size: u64,
+    /// Samples each way, 2 to 16385
+    #[arg(long, value_name = "N", default_value_t = 1025)]
+    pub(super) pixels: u32,
+    /// Leave out what is too small to be seen in a pixel this wide, in metres; 0 is the land as meshes stand on it
+    #[arg(long, value_name = "M", default_value_t = 0.0)]
+    pub(super) footprint: f32,
+    /// Heights of black and white in 16-bit files, in metres; those that the preset's land can have, unless told
+    #[arg(long, value_name = "LOW,HIGH", allow_hyphen_values = true, value_parser = range)]
+    pub(super) range: Option<[f32; 2]>,
+    /// Part of the GPU adapter's name; WGPU_ADAPTER_NAME does the same
+    #[arg(long, value_name = "NAME")]
+    pub(super) adapter: Option<String>,
+    /// Where to write: .png (16-bit grey), .r16 or .raw (16-bit little-endian, no header) or .exr (32-bit float, metres);
+    /// NAME_height.png unless told
+    #[arg(short, value_name = "FILE")]
+    pub(super) output: Option<PathBuf>,
+}
+
+/// `-9570,-6988.5` in mm.
+fn place(text: &str) -> Result<[i64; 2], String> {
+    let (x, z) = text.split_once(',').ok_or("write east and south, as in -9570,-6988.5")?;
+    Ok([millimetres(x)?, millimetres(z)?])
+}
+
+fn width(text: &str) -> Result<u64, String> {
+    let wrong = "write metres above 0, as in 2048";
+    millimetres(text)?.try_into().ok().filter(|width| *width > 0).ok_or_else(|| wrong.into())
+}
+
+/// Metres with at most three decimals → whole millimetres: what was written, and nothing rounded.
+fn millimetres(text: &str) -> Result<i64, String> {
+    let wrong = || format!("`{text}` is no number of metres with at most three decimals");
+    let (sign, digits) = match text.trim().strip_prefix('-') {
+        Some(digits) => (-1, digits),
+        None => (1, text.trim()),
+    };
+    let (whole, part) = digits.split_once('.').unwrap_or((digits, ""));
+    let is_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    if !(is_digits(whole) && is_digits(part)) || part.len() > 3 || whole.len() + part.len() == 0 {
+        return Err(wrong());
+    }
+    let number = format!("{whole}{part:0<3}").parse::<i64>().map_err(|_| wrong())?;
+    Ok(sign * number)
+}
+
+fn range(text: &str) -> Result<[f32; 2], String> {
+    let wrong = "write the heights of black and white, as in -200,3000";
+    let (low, high) = text.split_once(',').ok_or(wrong)?;
+    let number = |text: &str| text.trim().parse().ok().filter(|value: &f32| value.is_finite());
+    let range = number(low).zip(number(high)).filter(|(low, high)| low < high);
+    range.map(|(low, high)| [low, high]).ok_or_else(|| wrong.into())
+}
+
 fn size(text: &str) -> Result<(u32, u32), String> {
     let parts = text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
     match parts {
@@ -297,6 +441,13 @@ fn size(text: &str) -> Result<(u32, u32), String> {
         Some(size) => Ok(size),
         None => Err("write WIDTHxHEIGHT, as in 960x540".into()),
     }
+}
+
+fn binding(text: &str) -> Result<(u32, u32), String> {
+    let parts = text.split_once(',');
+    let parts =
+        parts.and_then(|(group, binding)| Some((group.trim().parse().ok()?, binding.trim().parse().ok()?)));
+    parts.ok_or_else(|| "write GROUP,BINDING, as in 2,0".into())
 }
 
 fn glob(text: &str) -> Result<String, String> {
@@ -310,6 +461,13 @@ fn glob(text: &str) -> Result<String, String> {
 
 fn finite(text: &str) -> Result<f32, String> {
     text.parse().ok().filter(|value: &f32| value.is_finite()).ok_or_else(|| "write seconds, as in 7.5".into())
+}
+
+fn mouse(text: &str) -> Result<[f32; 4], String> {
+    let numbers =
+        text.split(',').map(|number| number.trim().parse().ok().filter(|value: &f32| value.is_finite()));
+    let four = numbers.collect::<Option<Vec<f32>>>().and_then(|numbers| numbers.try_into().ok());
+    four.ok_or_else(|| "write four numbers of pixels, as in 400,300,200,300".into())
 }
 
 fn rate(text: &str) -> Result<f32, String> {

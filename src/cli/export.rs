@@ -3,7 +3,7 @@
 use std::io::IsTerminal;
 use std::path::Path;
 
-use orogen::{Shader, export};
+use orogen::{Prefix, Shader, Templates, export};
 
 use super::args::{self, Common, Export};
 use super::failure::{Failure, Outcome};
@@ -14,10 +14,13 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
         args::Target::Wgsl => export::Target::Wgsl,
         args::Target::Shadertoy => export::Target::Shadertoy,
         args::Target::Glsl => export::Target::Glsl,
+        args::Target::Isf => export::Target::Isf,
+        args::Target::ComputeToys => export::Target::ComputeToys,
         args::Target::Spirv => export::Target::Spirv,
         args::Target::Hlsl => export::Target::Hlsl,
         args::Target::Msl => export::Target::Msl,
         args::Target::Json => export::Target::Json,
+        args::Target::Rust => export::Target::Rust,
     };
     let stage = args.stage.map(|stage| match stage {
         args::Stage::Fragment => export::Stage::Fragment,
@@ -31,30 +34,74 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     if to_stdout && target == export::Target::Spirv && std::io::stdout().is_terminal() {
         return Err(Failure::Usage("SPIR-V is binary: write it to a file with `-o FILE`".into()));
     }
+    if args.minify && !target.is_minified() {
+        let error = orogen::Error::from(export::ExportError::NotMinified { target });
+        let told = &error.diagnostics()[0];
+        let help = told.help.as_deref().unwrap_or_default();
+        return Err(Failure::Usage(format!("{}: {help}", told.message)));
+    }
     let library = input::library(common)?;
     let preset = input::preset(&args.preset, common)?;
     let mut composer = input::composer(common)?;
     composer.stage =
         target.stage(stage).map_err(|error| Failure::Usage(error.diagnostics()[0].message.clone()))?;
     composer.keep_unused = args.keep_unused;
+    composer.module = args.module.as_deref().map(input::module).transpose()?.map(str::to_owned);
+    composer.only.clone_from(&args.only);
+    composer.prefix = Prefix::new(&args.prefix)?;
     composer.view.clone_from(&args.viewing.view);
-    let shader = composer.run(&library, &preset, &target.bake(input::bake(&args.baking)))?;
-    let bytes = export::export(&shader, target, &composer.templates)?;
+    if args.common && (to_stdout || target != export::Target::Shadertoy) {
+        let why = "--common writes two files for Shadertoy: it needs `-o FILE` and the target shadertoy";
+        return Err(Failure::Usage(why.into()));
+    }
+    let (group, binding) = args.binding;
+    let bake = input::bake(&args.baking).at_binding(group, binding);
+    let shader = composer.run(&library, &preset, &target.bake(bake))?;
+    if args.common {
+        return write_tabs(&args.output, &shader, &composer.templates);
+    }
+    let minified = if args.minify { Some(export::minify(&shader, &composer.templates)?) } else { None };
+    let bytes = match &minified {
+        Some(minified) => minified.export(target, None, &composer.templates)?,
+        None if target == export::Target::Rust => {
+            let types = match args.types {
+                args::Types::Arrays => export::Types::Arrays,
+                args::Types::Glam => export::Types::Glam,
+            };
+            let style =
+                export::RustStyle { types, layouts: !args.no_layouts, ..export::RustStyle::default() };
+            export::bindings(&shader, &style, &composer.templates)?.into_bytes()
+        }
+        None => export::export(&shader, target, &composer.templates)?,
+    };
+    let shader = minified.as_ref().map_or(&shader, export::Minified::shader);
     if !args.baking.overrides.is_empty() && !common.quiet && !has_overrides(target) {
         output::complain(&format!(
             "note: {target} has no pipeline overrides: those parameters are constants\n"
         ));
     }
-    made_of::spare(&shader, &args.output)?;
+    made_of::spare(shader, &args.output)?;
     if args.source_map {
-        write_with_map(&args.output, &bytes, &shader)
+        write_with_map(&args.output, &bytes, shader)
     } else {
         output::write(&args.output, &bytes)
     }
 }
 
 fn has_overrides(target: export::Target) -> bool {
-    matches!(target, export::Target::Wgsl | export::Target::Json)
+    matches!(target, export::Target::Wgsl | export::Target::Json | export::Target::Rust)
+}
+
+/// The files for the tabs Image and Common, or neither: `alpine.glsl` and `alpine.common.glsl`.
+fn write_tabs(path: &Path, shader: &Shader, templates: &Templates) -> Outcome {
+    let tabs = export::shadertoy_tabs(shader, templates)?;
+    let extension = path.extension().map_or_else(|| "glsl".into(), |extension| extension.to_string_lossy());
+    let beside = path.with_extension(format!("common.{extension}"));
+    made_of::spare(shader, path)?;
+    made_of::spare(shader, &beside)?;
+    let drafts =
+        [output::prepare(path, tabs.image.as_bytes())?, output::prepare(&beside, tabs.common.as_bytes())?];
+    drafts.into_iter().try_for_each(output::Draft::persist)
 }
 
 /// The file and its map, or neither.

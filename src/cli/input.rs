@@ -1,6 +1,6 @@
 //! From what stands on the command line to what the library takes.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use orogen::source::preset_names;
 use orogen::{Compose, Library, Preset, Templates};
@@ -27,28 +27,60 @@ pub(super) fn composer(common: &Common) -> Result<Compose, Failure> {
 
 /// The preset that `name` stands for, with the values of `--set`.
 pub(super) fn preset(name: &str, common: &Common) -> Result<Preset, Failure> {
-    let path = Path::new(name);
-    let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
-    let mut preset = match extension.as_deref() {
-        _ if name.starts_with('<') => Preset::of_module(module(name)?),
-        Some("json") => Preset::file(path)?,
-        Some("wgsl") => Preset::of_file(path),
-        _ if is_meant_as_path(name) => {
-            let why = format!("`{name}`: a preset's file ends in .json, a fragment's in .wgsl");
-            return Err(Failure::System(why));
-        }
-        _ => Preset::named(name)?,
-    };
-    for assignment in &common.set {
-        preset.set(assignment)?;
-    }
-    Ok(preset)
+    Ok(Origin::of(name)?.read(&common.set)?)
 }
 
-/// `<noise/perlin.wgsl>` → `noise/perlin.wgsl`
-fn module(name: &str) -> Result<&str, Failure> {
-    let inside = name.strip_prefix('<').and_then(|rest| rest.strip_suffix('>'));
-    inside.ok_or_else(|| {
+/// Where a preset comes from.
+#[derive(Debug, Clone)]
+pub(super) enum Origin {
+    BuiltIn(String),
+    Module(String),
+    Json(PathBuf),
+    Fragment(PathBuf),
+}
+
+impl Origin {
+    /// What `name` stands for.
+    pub(super) fn of(name: &str) -> Result<Self, Failure> {
+        let path = Path::new(name);
+        let extension = path.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+        Ok(match extension.as_deref() {
+            _ if name.starts_with('<') => Self::Module(module(name)?.to_owned()),
+            Some("json") => Self::Json(path.to_owned()),
+            Some("wgsl") => Self::Fragment(path.to_owned()),
+            _ if is_meant_as_path(name) => {
+                let why = format!("`{name}`: a preset's file ends in .json, a fragment's in .wgsl");
+                return Err(Failure::System(why));
+            }
+            _ => Self::BuiltIn(name.to_owned()),
+        })
+    }
+
+    /// The preset as it is now, with the values of `--set`.
+    pub(super) fn read(&self, set: &[String]) -> Result<Preset, orogen::Error> {
+        let mut preset = match self {
+            Self::BuiltIn(name) => Preset::named(name)?,
+            Self::Module(path) => Preset::of_module(path),
+            Self::Json(path) => Preset::file(path)?,
+            Self::Fragment(path) => Preset::of_file(path),
+        };
+        set.iter().try_for_each(|assignment| preset.set(assignment))?;
+        Ok(preset)
+    }
+
+    /// The file on disk, if it is one.
+    pub(super) fn path(&self) -> Option<&Path> {
+        match self {
+            Self::Json(path) | Self::Fragment(path) => Some(path),
+            Self::BuiltIn(_) | Self::Module(_) => None,
+        }
+    }
+}
+
+/// `<noise/perlin.wgsl>` → `noise/perlin.wgsl`. Where only a module can stand, the brackets may be left out.
+pub(super) fn module(name: &str) -> Result<&str, Failure> {
+    let Some(rest) = name.strip_prefix('<') else { return Ok(name) };
+    rest.strip_suffix('>').ok_or_else(|| {
         Failure::Usage(format!("`{name}` has no `>` at its end: write '<noise/perlin.wgsl>', in quotes"))
     })
 }

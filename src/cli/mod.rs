@@ -5,6 +5,7 @@ mod check;
 mod eval;
 mod export;
 mod failure;
+mod heightmap;
 mod include;
 mod input;
 mod list;
@@ -25,7 +26,10 @@ use failure::Failure;
 /// Runs the command that the process was started with. Exit status: 0 done, 1 the input is wrong, 2 usage, 3 no adapter.
 pub(crate) fn run() -> ExitCode {
     quiet_guarded_panics();
-    let Arguments { common, command } = Arguments::parse(); // on a usage error: says so, and exits with 2
+    let Arguments { mut common, command } = Arguments::parse(); // on a usage error: says so, and exits with 2
+    if let Some(quality) = &common.quality {
+        common.set.insert(0, format!("quality={quality}")); // an option like any other; what is set explicitly comes later
+    }
     let outcome = match command {
         Command::Export(args) => export::run(&args, &common),
         Command::Check(args) => check::run(&args, &common),
@@ -33,6 +37,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Params(args) => params::run(&args, &common),
         Command::List(args) => list::run(&args, &common),
         Command::Eval(args) => eval::run(&args, &common),
+        Command::Heightmap(args) => heightmap::run(&args, &common),
     };
     match outcome {
         Ok(()) => ExitCode::SUCCESS,

@@ -219,7 +219,7 @@ fn check_locals(
             !matches!(kept.meanings[active.instance][reference.symbol as usize], Some(Meaning::Renamed(..)));
         let component = |suffix: &str| by_name.get(format!("{spelled}{suffix}").as_str());
         let hiding = by_name.get(spelled.as_str()).or_else(|| {
-            let read = is_read.then(|| by_name.get(UNIFORM.0));
+            let read = is_read.then(|| by_name.get(names.prefix.before(UNIFORM.0).as_str()));
             read?.or_else(|| ["_x", "_y", "_z", "_w"].into_iter().find_map(component))
         });
         if let Some(span) = hiding {

@@ -87,6 +87,14 @@ pub enum ComposeError {
         /// The path of the library that was probably meant.
         nearest: Option<String>,
     },
+    /// `OR0309`
+    #[error("the module cannot be read: {error}")]
+    Module {
+        /// What the library said.
+        error: SourceError,
+        /// The path of the library that was probably meant.
+        nearest: Option<String>,
+    },
     /// `OR0303`
     #[error("includes are nested deeper than {limit}")]
     TooDeep {
@@ -282,6 +290,34 @@ pub enum ComposeError {
         /// Where its name stands.
         at: At,
     },
+    /// `OR0415`
+    #[error("no name of WGSL can start with `{prefix}`")]
+    Prefix {
+        /// What was asked for.
+        prefix: String,
+    },
+    /// `OR0416`
+    #[error("with the prefix `{prefix}`, `{name}` becomes `{becomes}`, which WGSL keeps for itself")]
+    PrefixTaken {
+        /// What was asked for.
+        prefix: String,
+        /// The name in the fragment.
+        name: String,
+        /// The name in the result.
+        becomes: String,
+        /// Where it is declared.
+        at: At,
+    },
+    /// `OR0417`
+    #[error("the module declares no `{name}`")]
+    NotDeclared {
+        /// What was asked for.
+        name: String,
+        /// The name that was probably meant.
+        nearest: Option<String>,
+        /// What it declares.
+        known: String,
+    },
     /// `OR0413`
     #[error("`{name}` is the name of Orogen's uniform buffer")]
     Reserved {
@@ -351,6 +387,13 @@ impl From<ComposeError> for Diagnostic {
                 let module = nearest.map(|path| if at.is_some() { path } else { format!("<{path}>") });
                 d.help(did_you_mean(module))
             }
+            E::Module { error, nearest } => {
+                let mut d = Diagnostic::error("OR0309", message.clone());
+                if let SourceError::NotFound { tried, .. } = error {
+                    d = d.notes(tried.iter().map(|place| format!("looked for {place}")));
+                }
+                d.help(did_you_mean(nearest).or_else(|| Some("`orogen list modules` names them all".into())))
+            }
             E::TooDeep { at, .. } => d("OR0303", at, "one level too many")
                 .help(Some("does a fragment include itself `as` something?".into())),
             E::TooMany { at, .. } => d("OR0304", at, "one instance too many")
@@ -402,6 +445,13 @@ impl From<ComposeError> for Diagnostic {
             E::DiagnosticConflict { at, first, .. } => also(d("OR0412", at, "set here"), first, "and here"),
             E::MainImage { at, .. } => d("OR0414", at, "not what calls it expects")
                 .help(Some("write `fn main_image(frag_coord: vec2f) -> vec4f`".into())),
+            E::Prefix { .. } => Diagnostic::error("OR0415", message)
+                .help(Some("start it with a letter, and go on with letters, digits and `_`: `og_`".into())),
+            E::PrefixTaken { at, .. } => {
+                d("OR0416", at, "declared here").help(Some("choose a longer prefix: `og_`".into()))
+            }
+            E::NotDeclared { nearest, known, .. } => Diagnostic::error("OR0417", message)
+                .help(did_you_mean(nearest).or_else(|| Some(format!("choose {known}")))),
             E::Reserved { at, .. } => d("OR0413", at, "reserved").help(Some("give it another name".into())),
         }
     }

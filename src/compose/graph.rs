@@ -49,6 +49,8 @@ pub(super) struct Graph {
     pub(super) instances: Vec<Instance>,
     /// The instances that are in for their own sake.
     pub(super) roots: Vec<usize>,
+    /// The one root whose entry points count, where the others' do not.
+    pub(super) only_from: Option<usize>,
     /// From which instance on they are there for their declarations only, and the scene that they are there for.
     aside: Option<(usize, usize)>,
     by_identity: FxHashMap<Arc<str>, usize>,
@@ -194,7 +196,7 @@ impl Graph {
             return *known;
         }
         let fragment = cache.fragment(&source);
-        let file = files.add(source.name.clone(), source.text.clone());
+        let file = files.add_read(source.name.clone(), source.text.clone(), source.on_disk.clone());
         errors.extend(fragment.errors.iter().map(|error| ComposeError::Directive(file, error.clone())));
         let index = self.loaded.len();
         self.by_identity.insert(source.identity.clone(), index);

@@ -9,34 +9,36 @@
     reason = "a fault ends the composition: its size costs nothing on the way there"
 )]
 
+mod builtin;
 mod cache;
 mod catalogue;
 mod decide;
 mod emit;
 mod error;
 mod graph;
+mod hoist;
 mod names;
+mod prefix;
+mod select;
 mod shake;
 
-pub use cache::Cache;
+pub use cache::{Cache, Work};
 pub use catalogue::{Catalogue, catalogue, views};
 pub use emit::{Hoisted, Piece};
 pub use error::{At, ComposeError};
 pub use names::UNIFORM;
+pub use prefix::Prefix;
 
 use std::sync::Arc;
 
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashSet;
 
-use crate::diagnostic::{Diagnostic, ENOUGH, Error};
+use crate::diagnostic::{Diagnostic, Error};
 use crate::preset::{self, Declarations, Preset, Scene, Settings};
 use crate::source::{self, FileId, Files, Library, Source, SourceError};
-use crate::syntax::{
-    DeclarationKind, DirectiveKind, Module, OptionDecl, OptionValue, ParamDecl, Slot, Value,
-};
-use decide::{Known, decide};
+use crate::syntax::{Key, OptionDecl, OptionValue, ParamDecl, Slot, Value};
 use graph::Graph;
-use names::{Active, Names};
+use select::Basis;
 
 /// A parameter of a composition.
 #[derive(Debug, Clone)]
@@ -60,6 +62,8 @@ pub struct Choice {
     pub value: OptionValue,
     /// Whether the code that is in reads it.
     pub read: bool,
+    /// Whether a condition asks for it, in a fragment of which something is in.
+    pub decides: bool,
     /// Where it is declared.
     pub at: At,
 }
@@ -89,6 +93,7 @@ pub struct OpenSlot {
 }
 
 /// Everything that the result is made of.
+#[derive(Clone)]
 pub struct Composition {
     /// The preset's name.
     pub name: String,
@@ -106,13 +111,20 @@ pub struct Composition {
     pub hoisted: Vec<Hoisted>,
     /// The parts, each after those that it includes.
     pub parts: Vec<Part>,
-    graph: Graph,
+    /// What every name of module scope starts with in the result.
+    pub prefix: Prefix,
+    graph: Arc<Graph>,
 }
 
 impl Composition {
     /// How an instance was reached, innermost include first: notes for a diagnostic.
     pub fn chain(&self, instance: usize) -> Vec<String> {
         self.graph.chain(instance, &self.files)
+    }
+
+    /// The name that a parameter or an option has in the result: `sun_elevation`, or with a prefix `og_sun_elevation`.
+    pub fn flat(&self, key: &Key) -> String {
+        self.prefix.before(&key.flat())
     }
 }
 
@@ -123,9 +135,15 @@ pub struct Request<'a> {
     /// The debug view that is composed in the scene's place. The preset is held against the scene's declarations and the
     /// view's.
     pub view: Option<String>,
+    /// The fragment of the library that is composed in the scene's place, on its own.
+    pub module: Option<String>,
+    /// Of the root's declarations, those that are wanted, with what they reach; all where none is named.
+    pub only: Vec<String>,
+    /// What every name of module scope is to start with.
+    pub prefix: Prefix,
     /// The entry point of a scene that has `main_image` and no entry point of its own.
     pub wrapper: Option<Source>,
-    /// A fragment that is put in beside the scene.
+    /// A fragment that is put in beside the scene: its entry points are the only ones.
     pub beside: Option<Source>,
     /// Keep declarations that no entry point reaches.
     pub keep_unused: bool,
@@ -161,9 +179,14 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         Err(error) => return Err(fail([error], files)),
     };
     let scene_name = scene.name.clone();
-    let (root, aside) = match request.view.as_ref().map(|view| catalogue::view(library, view)) {
+    let in_place = match (&request.view, &request.module) {
+        (Some(view), _) => Some(catalogue::view(library, view)),
+        (None, Some(module)) => Some(module_source(library, module)),
+        (None, None) => None,
+    };
+    let (root, aside) = match in_place {
         None => (scene, None),
-        Some(Ok(view)) => (view, Some(scene)),
+        Some(Ok(source)) => (source, Some(scene)),
         Some(Err(error)) => return Err(fail([error], files)),
     };
     let root = graph.add_root(root, library, cache, &mut files, &mut errors);
@@ -177,7 +200,7 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
         wrapper_root = Some(graph.add_root(wrapper.clone(), library, cache, &mut files, &mut errors));
     }
     if let Some(beside) = &request.beside {
-        graph.add_root(beside.clone(), library, cache, &mut files, &mut errors);
+        graph.only_from = Some(graph.add_root(beside.clone(), library, cache, &mut files, &mut errors));
     }
     if let Some(scene) = aside {
         graph.add_aside(scene, library, cache, &mut files, &mut errors);
@@ -195,10 +218,11 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
     };
     let preset = request.preset.name();
     let mut survey = Survey {
-        name: request
-            .view
-            .as_ref()
-            .map_or_else(|| preset.to_owned(), |view| format!("{preset} (view {view})")),
+        name: match (&request.view, &request.module) {
+            (Some(view), _) => format!("{preset} (view {view})"),
+            (None, Some(module)) => format!("{module} of {preset}"),
+            (None, None) => preset.to_owned(),
+        },
         scene: scene_name,
         files: files.into(),
         declarations,
@@ -213,7 +237,10 @@ pub fn survey(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Re
 /// A view's options `inspect.has_…` say whether its scene has the element of that name: all that the scene's own options
 /// leave out is missing, whatever they are set to.
 fn tell_of_scene(survey: &mut Survey) {
-    let (active, _) = activity(survey, &mut Vec::new()); // what is wrong is told when the view itself is composed
+    if survey.graph.files_aside(None).is_none() {
+        return;
+    }
+    let (active, _) = select::activity(survey, &mut Vec::new()); // what is wrong is told when the view itself is composed
     let Some(files) = survey.graph.files_aside(Some(&active)) else { return };
     let parameters = survey.declarations.parameters.iter().map(|p| (&p.decl.key.group, p.file));
     let options = survey.declarations.options.iter().map(|o| (&o.decl.key.group, o.file));
@@ -230,115 +257,66 @@ fn tell_of_scene(survey: &mut Survey) {
     }
 }
 
-/// Puts a scene together.
+/// Puts a scene together. What `cache` knows is not done again: files that have not changed, and all that does not follow
+/// from the values of parameters.
 ///
 /// # Errors
 /// Everything that is wrong with preset and fragments but what only a WGSL compiler can tell.
 pub fn compose(library: &Library, cache: &mut Cache, request: &Request<'_>) -> Result<Composition, Error> {
     let mut survey = survey(library, cache, request)?;
-    let mut errors = Vec::new();
-    let (active, truths) = activity(&survey, &mut errors);
-    if !errors.is_empty() {
-        return Err(fail(errors, survey.files));
-    }
-    let mut order = survey.graph.order(&active);
-    let mut modules = modules(&survey.graph, cache, &order, &truths);
-    if let Some(wrapper) = survey.wrapper
-        && !needs_wrapper(&survey.graph, &modules, wrapper)
-    {
-        survey.graph.roots.retain(|root| *root != wrapper);
-        survey.wrapper = None;
-        order = survey.graph.order(&active);
-        let is_in: FxHashSet<_> = order.iter().copied().collect();
-        for (_, module) in modules.iter_mut().enumerate().filter(|(instance, _)| !is_in.contains(instance)) {
-            *module = None;
+    let basis = Basis::of(&survey, request);
+    let selection = match cache.selection(&basis) {
+        Some(known) => known,
+        None => {
+            let selection = Arc::new(select::select(&mut survey, cache, request)?);
+            cache.keep_selection(basis, selection.clone());
+            selection
         }
+    };
+    for (instance, parent) in survey.graph.instances.iter_mut().zip(&selection.parents) {
+        instance.parent = *parent;
     }
     let graph = &survey.graph;
-    for (instance, module) in modules.iter().enumerate() {
-        let faults = module.iter().flat_map(|module| &module.errors);
-        errors.extend(faults.map(|error| ComposeError::Directive(graph.file(instance), error.clone())));
-    }
-    let in_names = modules.iter().enumerate().map(|(instance, module)| {
-        module.as_ref().map(|module| Active {
-            instance,
-            text: &graph.fragment(instance).text,
-            module,
-            directives: &active[instance],
-        })
-    });
-    let names = Names::new(graph, &survey.declarations, in_names.collect(), &order, &mut errors);
-    if survey.wrapper.is_some()
-        && let Some((at, Some(found))) = names.main_image()
-    {
-        errors.push(ComposeError::MainImage { found, at });
-    }
-    let kept = shake::shake(&names, request.keep_unused, &mut errors);
-    let parts = |hoist: bool, errors: &mut Vec<ComposeError>| {
-        let in_order = order.iter().filter_map(|instance| names.active[*instance].as_ref());
-        let parts = in_order.filter_map(|active| {
-            let pieces = emit::pieces(&names, &kept, active, request.keep_unused, hoist, errors);
-            (!pieces.is_empty()).then(|| part(graph, active, pieces))
-        });
-        parts.collect::<Vec<_>>()
-    };
-    let slots: Vec<_> = names
-        .open_slots()
-        .into_iter()
-        .map(|(instance, slot)| OpenSlot { slot: slot.clone(), at: (graph.file(instance), slot.name.span) })
-        .collect();
-    let before = errors.len();
-    let mut result = parts(false, &mut errors);
-    // A lone file with nothing before it keeps its directives where they are.
-    let reads = kept.parameters.iter().chain(&kept.options).any(|read| *read);
-    let mut hoisted = Vec::new();
-    let mut directives = order.iter().filter(|instance| {
-        let active = names.active[**instance].as_ref();
-        active.is_some_and(|a| a.module.declarations.iter().any(|d| emit::is_directive(d.kind)))
-    });
-    let alone = result.len() == 1 && !reads && slots.is_empty();
-    let is_elsewhere = |instance: &usize| !(alone && result[0].instance == *instance);
-    if directives.any(is_elsewhere) {
-        errors.truncate(before); // what `parts` found, it finds again
-        result = parts(true, &mut errors);
-        hoisted = hoist(&names, &kept, &mut errors);
-    }
-    if !errors.is_empty() {
-        drop(names);
-        return Err(fail(errors, survey.files));
-    }
     let parameters = survey.declarations.parameters.iter().enumerate().map(|(index, declared)| Parameter {
         decl: declared.decl.clone(),
         value: survey.settings.parameters[index],
-        read: kept.parameters[index],
+        read: selection.parameters[index],
         at: (declared.file, declared.span),
     });
     let options = survey.declarations.options.iter().enumerate().map(|(index, declared)| Choice {
         decl: declared.decl.clone(),
         value: survey.settings.options[index],
-        read: kept.options[index],
+        read: selection.options[index],
+        decides: selection.deciding.contains(&index),
         at: (declared.file, declared.span),
     });
     let (parameters, options): (Vec<_>, Vec<_>) = (parameters.collect(), options.collect());
-    drop(names);
     if let Some(view) = &request.view
-        && let Some(files) = survey.graph.files_aside(None)
+        && let Some(files) = graph.files_aside(None)
         && let groups = foreign(&parameters, &options, &files)
         && !groups.is_empty()
     {
         let (view, scene) = (view.clone(), survey.scene);
         return Err(fail([ComposeError::NotInScene { view, scene, groups }], survey.files));
     }
+    // Files are numbered anew each time.
+    let slot = |(instance, slot): &(usize, Slot)| {
+        let at = (graph.file(*instance), slot.name.span);
+        OpenSlot { slot: slot.clone(), at }
+    };
+    let part = |part: &Part| Part { file: graph.file(part.instance), ..part.clone() };
+    let line = |line: &Hoisted| Hoisted { file: graph.file(line.instance), ..line.clone() };
     Ok(Composition {
         name: survey.name,
         about: request.preset.about().to_owned(),
         files: survey.files,
         parameters,
         options,
-        slots,
-        hoisted,
-        parts: result,
-        graph: survey.graph,
+        slots: selection.slots.iter().map(slot).collect(),
+        hoisted: selection.hoisted.iter().map(line).collect(),
+        parts: selection.parts.iter().map(part).collect(),
+        prefix: request.prefix.clone(),
+        graph: Arc::new(survey.graph),
     })
 }
 
@@ -395,137 +373,10 @@ fn root(library: &Library, preset: &Preset) -> Result<Source, ComposeError> {
     }
 }
 
-/// The declarations of every instance that is in.
-fn modules(
-    graph: &Graph,
-    cache: &mut Cache,
-    order: &[usize],
-    truths: &[Vec<bool>],
-) -> Vec<Option<Arc<Module>>> {
-    let mut modules = vec![None; graph.instances.len()];
-    for instance in order {
-        let loaded = &graph.loaded[graph.instances[*instance].loaded];
-        modules[*instance] = Some(cache.split(&loaded.source, &loaded.fragment, &truths[*instance]));
-    }
-    modules
-}
-
-/// Whether the scene, its conditions decided, has `main_image` and no entry point of its own.
-fn needs_wrapper(graph: &Graph, modules: &[Option<Arc<Module>>], wrapper: usize) -> bool {
-    let scene = graph.roots.first().and_then(|root| modules[*root].as_ref());
-    let has_entry = scene.is_some_and(|module| module.declarations.iter().any(|d| d.stage.is_some()));
-    let declares = |(instance, module): (usize, &Option<Arc<Module>>)| {
-        let (Some(module), text) = (module, &graph.fragment(instance).text) else { return false };
-        let names = module.declarations.iter().filter_map(|declaration| declaration.name);
-        instance != wrapper
-            && graph.fragment(instance).has_main_image
-            && names.into_iter().any(|(symbol, _)| module.name(text, symbol) == "main_image")
-    };
-    !has_entry && modules.iter().enumerate().any(declares)
-}
-
-type Activity = (Vec<Vec<bool>>, Vec<Vec<bool>>);
-
-/// By instance: which directives are in, and the truth of each condition.
-fn activity(survey: &Survey, errors: &mut Vec<ComposeError>) -> Activity {
-    let graph = &survey.graph;
-    let mut all = (Vec::new(), Vec::new());
-    for (index, instance) in graph.instances.iter().enumerate() {
-        let renamed = instance.renamed.as_ref();
-        let known = Known {
-            declarations: &survey.declarations,
-            settings: &survey.settings,
-            prefix: &instance.prefix,
-            renamed: renamed.map(|(from, to)| (from.as_str(), &**to)),
-        };
-        let fragment = graph.fragment(index);
-        let mut truth = Vec::with_capacity(fragment.conditions);
-        for placed in &fragment.directives {
-            if let DirectiveKind::If(expr) | DirectiveKind::Elif(expr) = &placed.directive.kind {
-                if errors.len() >= ENOUGH {
-                    truth.push(false);
-                    continue;
-                }
-                truth.push(decide(expr, graph.file(index), &known).unwrap_or_else(|error| {
-                    errors.push(error);
-                    false
-                }));
-            }
-        }
-        all.0.push(fragment.active(&truth));
-        all.1.push(truth);
-    }
-    all
-}
-
-fn part(graph: &Graph, active: &Active<'_>, pieces: Vec<Piece>) -> Part {
-    let instance = &graph.instances[active.instance];
-    let loaded = &graph.loaded[instance.loaded];
-    let name = if instance.prefix.is_empty() {
-        loaded.source.name.to_string()
-    } else {
-        format!("{} as {}", loaded.source.name, instance.prefix)
-    };
-    Part { name, file: loaded.file, instance: active.instance, licence: loaded.source.licence(), pieces }
-}
-
-/// `enable`, `requires` and `diagnostic` of all that is in: each once.
-fn hoist(names: &Names<'_>, kept: &shake::Kept, errors: &mut Vec<ComposeError>) -> Vec<Hoisted> {
-    let mut hoisted: Vec<Hoisted> = Vec::new();
-    let mut by_rule: FxHashMap<String, usize> = FxHashMap::default();
-    for instance in names.order {
-        let Some(active) = &names.active[*instance] else { continue };
-        let is_root = names.graph.roots.contains(instance);
-        // A file of nothing but directives is included for their sake.
-        let only_directives = active.module.declarations.iter().all(|d| emit::is_directive(d.kind));
-        if !is_root && !only_directives && !kept.declarations[*instance].contains(&true) {
-            continue;
-        }
-        for declaration in active.module.declarations.iter().filter(|d| emit::is_directive(d.kind)) {
-            let text = active.text[declaration.span.range()].trim_end_matches(';');
-            let body: String = text
-                .split_once(|c: char| !c.is_ascii_alphabetic())
-                .map_or("", |(keyword, _)| &text[keyword.len()..])
-                .trim()
-                .into();
-            let file = names.graph.file(*instance);
-            let new =
-                Hoisted { instance: *instance, file, span: declaration.span, kind: declaration.kind, body };
-            let twin = *by_rule.entry(subject(&new)).or_insert(hoisted.len());
-            match hoisted.get(twin) {
-                None => hoisted.push(new),
-                Some(known) if plain(&known.body) != plain(&new.body) => {
-                    let value = |body: &str| {
-                        body.trim_matches(['(', ')']).split(',').next().unwrap_or("").trim().to_owned()
-                    };
-                    let rule =
-                        plain(&new.body).split_once(',').map_or(String::new(), |(_, rule)| rule.into());
-                    errors.push(ComposeError::DiagnosticConflict {
-                        name: rule.trim_end_matches(')').into(),
-                        value: value(&new.body),
-                        first_value: value(&known.body),
-                        at: (names.graph.file(*instance), new.span),
-                        first: (names.graph.file(known.instance), known.span),
-                    });
-                }
-                Some(_) => {}
-            }
-        }
-    }
-    // WGSL wants `diagnostic`, `enable` and `requires` before all else, in any order.
-    hoisted.sort_by_key(|directive| directive.kind != DeclarationKind::Enable);
-    hoisted
-}
-
-fn plain(body: &str) -> String {
-    body.chars().filter(|c| !c.is_whitespace()).collect()
-}
-
-/// What a directive says something about: there is one of each.
-fn subject(directive: &Hoisted) -> String {
-    let body = plain(&directive.body);
-    match (directive.kind, body.split_once(',')) {
-        (DeclarationKind::Diagnostic, Some((_, rule))) => format!("diagnostic {rule}"),
-        (kind, _) => format!("{kind:?} {body}"),
-    }
+/// The text of a module that stands on its own.
+fn module_source(library: &Library, path: &str) -> Result<Source, ComposeError> {
+    library.find(path).map_err(|error| {
+        let nearest = graph::nearest_path(&error, library);
+        ComposeError::Module { error, nearest }
+    })
 }

@@ -9,13 +9,15 @@ use std::sync::Arc;
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::builtin::is_builtin_function;
 use super::error::{At, ComposeError};
 use super::graph::Graph;
+use super::prefix::Prefix;
 use crate::diagnostic::{ENOUGH, choices, nearest};
 use crate::preset::{Declarations, Knob};
 use crate::syntax::{
     Declaration, DeclarationKind, DirectiveKind, Include, Module, OptionKind, Reference, Signature, Slot,
-    Symbol, TokenKind, lex, signature,
+    Symbol, TokenKind, is_reserved, lex, signature,
 };
 
 /// The name of the uniform buffer, and of its type.
@@ -57,6 +59,8 @@ pub(super) struct Active<'a> {
 pub(super) struct Names<'a> {
     pub(super) graph: &'a Graph,
     pub(super) declarations: &'a Declarations,
+    /// What all names start with in the result. The table below knows them without it.
+    pub(super) prefix: &'a Prefix,
     /// By instance; none where the instance is not in.
     pub(super) active: Vec<Option<Active<'a>>>,
     pub(super) order: &'a [usize],
@@ -74,6 +78,7 @@ impl<'a> Names<'a> {
     pub(super) fn new(
         graph: &'a Graph,
         declarations: &'a Declarations,
+        prefix: &'a Prefix,
         active: Vec<Option<Active<'a>>>,
         order: &'a [usize],
         errors: &mut Vec<ComposeError>,
@@ -87,13 +92,14 @@ impl<'a> Names<'a> {
         });
         let slots_in = slots_in.collect();
         let (slots, open) = (FxHashMap::default(), FxHashSet::default());
-        let mut names = Self { graph, declarations, active, order, table, slots, slots_in, open };
+        let mut names = Self { graph, declarations, prefix, active, order, table, slots, slots_in, open };
         names.open =
             names.open_slots().into_iter().map(|(root, slot)| (root, slot.name.value.as_str())).collect();
         for instance in order {
             names.declare(*instance, errors);
         }
         names.check_flat_names(errors);
+        names.check_prefixed(errors);
         names.fill_slots(errors);
         names
     }
@@ -126,6 +132,29 @@ impl<'a> Names<'a> {
                 errors.push(ComposeError::Reserved { name, at });
             }
         }
+    }
+
+    /// With a prefix, a name may become one of WGSL's own.
+    fn check_prefixed(&self, errors: &mut Vec<ComposeError>) {
+        if self.prefix.is_empty() {
+            return;
+        }
+        let (parameters, options) = self.declarations.in_code();
+        let globals = self.table.iter().map(|(name, global)| (name.to_string(), self.place(*global)));
+        let parameters = parameters.iter().map(|p| (p.decl.key.flat(), (p.file, p.span)));
+        let options = options.iter().map(|o| (o.decl.key.flat(), (o.file, o.span)));
+        let slots = self.open_slots().into_iter();
+        let slots =
+            slots.map(|(root, slot)| (slot.name.value.clone(), (self.graph.file(root), slot.name.span)));
+        let all = globals.chain(parameters).chain(options).chain(slots);
+        let mut taken: Vec<_> = all.filter(|(name, _)| is_reserved(&self.prefix.before(name))).collect();
+        taken.sort_unstable_by_key(|(_, (file, span))| (*file, span.start)); // tables have no order
+        errors.extend(taken.into_iter().take(ENOUGH).map(|(name, at)| ComposeError::PrefixTaken {
+            prefix: self.prefix.to_string(),
+            becomes: self.prefix.before(&name),
+            name,
+            at,
+        }));
     }
 
     /// What the host sees of a parameter, `group_name`, is a name of module scope too.
@@ -171,6 +200,13 @@ impl<'a> Names<'a> {
         let declaration = self.declaration(global);
         let span = declaration.name.map_or(declaration.span, |(_, span)| span);
         (self.graph.file(global.instance as usize), span)
+    }
+
+    /// What its author calls a declaration; none where it has no name.
+    pub(super) fn own_name(&self, global: Global) -> Option<&'a str> {
+        let active = self.active[global.instance as usize].as_ref()?;
+        let (symbol, _) = self.declaration(global).name?;
+        Some(active.module.name(active.text, symbol))
     }
 
     pub(super) fn declaration(&self, global: Global) -> &'a Declaration {
@@ -293,13 +329,13 @@ impl<'a> Names<'a> {
                 });
                 continue;
             };
-            let meaning = match self.look_up(includer, &target.value) {
+            let meaning = match self.find(includer, &target.value) {
                 Meaning::Global(global) => Meaning::Renamed(Some(global), target.value.as_str().into()),
                 Meaning::Foreign if is_builtin_function(&target.value) => {
                     Meaning::Renamed(None, target.value.as_str().into())
                 }
                 renamed @ Meaning::Renamed(..) => renamed,
-                Meaning::OpenSlot => Meaning::Renamed(None, target.value.as_str().into()),
+                Meaning::OpenSlot => Meaning::Renamed(None, self.prefix.before(&target.value).into()),
                 _ => {
                     let names = self.table.keys().map(AsRef::as_ref).filter(|_| errors.len() < ENOUGH);
                     let nearest = nearest(&target.value, names);
@@ -342,12 +378,16 @@ impl<'a> Names<'a> {
         let Some(found) = signature(&text[declaration.span.range()]) else {
             return Err("no function".into());
         };
-        let plain = |signature: &Signature, instance: usize| Signature {
+        let same = self.spelled(&found, global.instance as usize) == self.spelled(expected, owner);
+        if same { Ok(()) } else { Err(format!("`{found}`")) }
+    }
+
+    /// A signature as the result spells it, seen from `instance`.
+    pub(super) fn spelled(&self, signature: &Signature, instance: usize) -> Signature {
+        Signature {
             takes: signature.takes.iter().map(|ty| self.plain(ty, instance, 0)).collect(),
             gives: signature.gives.as_ref().map(|ty| self.plain(ty, instance, 0)),
-        };
-        let same = plain(&found, global.instance as usize) == plain(expected, owner);
-        if same { Ok(()) } else { Err(format!("`{found}`")) }
+        }
     }
 
     /// A type as the result spells it, seen from `instance`: names of instances in full, aliases followed (a few steps at
@@ -381,8 +421,24 @@ impl<'a> Names<'a> {
         crate::syntax::plain_type(&text)
     }
 
-    /// What `name` means in `instance`.
+    /// What `name` means in `instance`, and what it is called in the result.
     pub(super) fn look_up(&self, instance: usize, name: &str) -> Meaning {
+        let meaning = self.find(instance, name);
+        if self.prefix.is_empty() {
+            return meaning;
+        }
+        match meaning {
+            Meaning::Global(global) => Meaning::Renamed(Some(global), self.prefix.before(name).into()),
+            Meaning::Renamed(Some(global), own) => {
+                Meaning::Renamed(Some(global), self.prefix.before(&own).into())
+            }
+            Meaning::OpenSlot => Meaning::Renamed(None, self.prefix.before(name).into()),
+            same => same,
+        }
+    }
+
+    /// What `name` means in `instance`, the prefix left out.
+    fn find(&self, instance: usize, name: &str) -> Meaning {
         if let Some(meaning) = self.slots.get(&(instance as u32)).and_then(|slots| slots.get(name)) {
             return meaning.clone();
         }
@@ -488,79 +544,12 @@ impl<'a> Names<'a> {
     /// The identifier that `knob` has in the result.
     pub(super) fn flat(&self, knob: Knob) -> String {
         match knob {
-            Knob::Parameter(index) => self.declarations.parameters[index].decl.key.flat(),
-            Knob::Option(index) => self.declarations.options[index].decl.key.flat(),
+            Knob::Parameter(index) => {
+                self.prefix.before(&self.declarations.parameters[index].decl.key.flat())
+            }
+            Knob::Option(index) => self.prefix.before(&self.declarations.options[index].decl.key.flat()),
         }
     }
 }
 
 static EMPTY: std::sync::LazyLock<Module> = std::sync::LazyLock::new(Module::default);
-
-/// WGSL's own functions that can fill a slot: those of one signature a type.
-fn is_builtin_function(name: &str) -> bool {
-    const NAMES: [&str; 62] = [
-        "abs",
-        "acos",
-        "acosh",
-        "all",
-        "any",
-        "asin",
-        "asinh",
-        "atan",
-        "atan2",
-        "atanh",
-        "ceil",
-        "clamp",
-        "cos",
-        "cosh",
-        "countLeadingZeros",
-        "countOneBits",
-        "countTrailingZeros",
-        "cross",
-        "degrees",
-        "distance",
-        "dot",
-        "dpdx",
-        "dpdy",
-        "exp",
-        "exp2",
-        "faceForward",
-        "firstLeadingBit",
-        "firstTrailingBit",
-        "floor",
-        "fma",
-        "fract",
-        "fwidth",
-        "inverseSqrt",
-        "ldexp",
-        "length",
-        "log",
-        "log2",
-        "max",
-        "min",
-        "mix",
-        "normalize",
-        "pow",
-        "radians",
-        "reflect",
-        "refract",
-        "reverseBits",
-        "round",
-        "saturate",
-        "select",
-        "sign",
-        "sin",
-        "sinh",
-        "smoothstep",
-        "sqrt",
-        "step",
-        "tan",
-        "tanh",
-        "transpose",
-        "trunc",
-        "determinant",
-        "extractBits",
-        "insertBits",
-    ];
-    NAMES.contains(&name)
-}

@@ -4,7 +4,7 @@
 
 use super::error::ComposeError;
 use super::names::{Global, Meaning, Names};
-use crate::diagnostic::ENOUGH;
+use crate::diagnostic::{ENOUGH, choices, nearest};
 use crate::preset::Knob;
 use crate::syntax::{DeclarationKind, Symbol};
 
@@ -38,8 +38,13 @@ impl Kept {
     }
 }
 
-/// Follows names from the roots. With `keep_all`, every active declaration is a root.
-pub(super) fn shake(names: &Names<'_>, keep_all: bool, errors: &mut Vec<ComposeError>) -> Kept {
+/// Follows names from the roots. With `keep_all`, every active declaration is a root; with `only`, those named so.
+pub(super) fn shake(
+    names: &Names<'_>,
+    keep_all: bool,
+    only: &[String],
+    errors: &mut Vec<ComposeError>,
+) -> Kept {
     let sizes = names.active.iter();
     let mut kept = Kept {
         declarations: sizes
@@ -51,7 +56,7 @@ pub(super) fn shake(names: &Names<'_>, keep_all: bool, errors: &mut Vec<ComposeE
         parameters: vec![false; names.declarations.parameters.len()],
         options: vec![false; names.declarations.options.len()],
     };
-    let mut open = roots(names, keep_all);
+    let mut open = roots(names, keep_all, only, errors);
     for global in &open {
         kept.declarations[global.instance as usize][global.declaration as usize] = true;
     }
@@ -93,13 +98,14 @@ pub(super) fn shake(names: &Names<'_>, keep_all: bool, errors: &mut Vec<ComposeE
     kept
 }
 
-fn roots(names: &Names<'_>, keep_all: bool) -> Vec<Global> {
+fn roots(names: &Names<'_>, keep_all: bool, only: &[String], errors: &mut Vec<ComposeError>) -> Vec<Global> {
     let mut entries = Vec::new();
     let mut always = Vec::new();
     let mut own = Vec::new();
     for instance in names.order {
         let Some(active) = &names.active[*instance] else { continue };
         let is_root = names.graph.roots.contains(instance);
+        let is_entered = is_root && names.graph.only_from.is_none_or(|root| root == *instance);
         for (index, declaration) in active.module.declarations.iter().enumerate() {
             let global = Global { instance: *instance as u32, declaration: index as u32 };
             if keep_all {
@@ -110,7 +116,7 @@ fn roots(names: &Names<'_>, keep_all: bool) -> Vec<Global> {
                 // What holds for the whole module, and what only naga can say something about.
                 DeclarationKind::ConstAssert | DeclarationKind::Other => always.push(global),
                 DeclarationKind::Enable | DeclarationKind::Requires | DeclarationKind::Diagnostic => {}
-                _ if is_root && declaration.stage.is_some() => entries.push(global),
+                _ if is_entered && declaration.stage.is_some() => entries.push(global),
                 _ if is_root => own.push(global),
                 _ => {}
             }
@@ -119,8 +125,30 @@ fn roots(names: &Names<'_>, keep_all: bool) -> Vec<Global> {
     if entries.is_empty() && own.is_empty() {
         own = included(names); // a file that only includes others stands for them
     }
-    always.extend(if entries.is_empty() { own } else { entries });
+    if !only.is_empty() {
+        entries.extend(own);
+        always.extend(wanted(names, &entries, only, errors));
+    } else {
+        always.extend(if entries.is_empty() { own } else { entries });
+    }
     always
+}
+
+/// Of the declarations `all`, those that `only` names.
+fn wanted(names: &Names<'_>, all: &[Global], only: &[String], errors: &mut Vec<ComposeError>) -> Vec<Global> {
+    let mut found = Vec::new();
+    let known = || all.iter().filter_map(|global| names.own_name(*global));
+    for name in only {
+        match all.iter().find(|global| names.own_name(**global) == Some(name)) {
+            Some(global) => found.push(*global),
+            None => errors.push(ComposeError::NotDeclared {
+                name: name.clone(),
+                nearest: nearest(name, known()),
+                known: choices(known()),
+            }),
+        }
+    }
+    found
 }
 
 /// The declarations of all that the roots include themselves.

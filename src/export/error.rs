@@ -37,8 +37,10 @@ pub enum ExportError {
         span: Option<Span>,
     },
     /// `OR0807`
-    #[error("the entry point `{name}` cannot be wrapped for Shadertoy: {why}")]
+    #[error("the entry point `{name}` cannot be wrapped for `{target}`: {why}")]
     Unwrappable {
+        /// The target.
+        target: Target,
         /// Its name.
         name: String,
         /// What is in the way.
@@ -47,8 +49,10 @@ pub enum ExportError {
         span: Option<Span>,
     },
     /// `OR0808`
-    #[error("Shadertoy cannot bind `{name}`")]
+    #[error("a host of `{target}` cannot bind `{name}`")]
     Binding {
+        /// The target.
+        target: Target,
         /// The variable.
         name: String,
         /// Whether it is the buffer of live parameters.
@@ -70,12 +74,38 @@ pub enum ExportError {
         /// naga's words.
         why: String,
     },
+    /// `OR0812`
+    #[error("Orogen itself failed while writing `{target}`")]
+    Fault {
+        /// The target.
+        target: Target,
+        /// What went wrong.
+        why: String,
+    },
+    /// `OR0814`
+    #[error("the target `{target}` takes no prefix")]
+    Prefix {
+        /// The target.
+        target: Target,
+    },
     /// `OR0811`
     #[error("naga panicked while writing `{target}`")]
     Panic {
         /// The target.
         target: Target,
         /// What it said.
+        why: String,
+    },
+    /// `OR0820`
+    #[error("the target `{target}` cannot be minified")]
+    NotMinified {
+        /// The target.
+        target: Target,
+    },
+    /// `OR0821`
+    #[error("the minified shader is not valid")]
+    Minifier {
+        /// What the check says.
         why: String,
     },
 }
@@ -90,7 +120,7 @@ impl From<ExportError> for Error {
 impl ExportError {
     /// Told at the author's place, where there is one.
     pub(super) fn told(self, shader: &Shader) -> Error {
-        let baked = &shader.checked().baked;
+        let baked = shader.baked();
         let (span, label) = match &self {
             Self::NotInEs300 { span, .. } => (*span, "used here"),
             Self::Unwrappable { span, .. } => (*span, "this entry point"),
@@ -124,21 +154,33 @@ impl ExportError {
                 d("OR0805").help(Some(format!("choose {}", choices(known.iter().map(String::as_str)))))
             }
             E::NotInEs300 { .. } => d("OR0806")
-                .help(Some("write it out with shifts, `&` and `if`, or export another target".into())),
+                .help(Some("leave it out of what the entry point reaches, or export another target".into())),
             E::Unwrappable { .. } => d("OR0807").help(Some(
                 "let it take `@builtin(position)` alone and return one `vec4f`, or write `main_image` instead".into(),
             )),
             E::Binding { ours: true, .. } => d("OR0808")
-                .help(Some("compose with `Target::Shadertoy.bake(…)`, which makes variables of live parameters".into())),
+                .help(Some("compose with `target.bake(…)`, which makes variables of live parameters".into())),
             E::Binding { .. } => {
                 d("OR0808").help(Some("leave buffers, textures and samplers out of what `main_image` calls".into()))
             }
+            E::NotMinified { .. } => {
+                let names = Target::ALL.into_iter().filter(|target| target.is_minified()).map(Target::name);
+                d("OR0820").help(Some(format!("leave `--minify` out, or choose {}", choices(names))))
+            }
+            E::Minifier { why } => d("OR0821").note(why.clone()).help(Some(
+                "this is a fault of Orogen: export without `--minify`, and report the shader".into(),
+            )),
             E::Overrides { why } => d("OR0809").note(why.clone()).help(Some(
                 "give every `override` a default: `override name: f32 = 1.0;`".into(),
             )),
             E::Writer { why, .. } => d("OR0810")
                 .note(format!("naga says: {why}"))
                 .help(Some("the target lacks what the shader uses: leave that out, or export another target".into())),
+            E::Prefix { .. } => d("OR0814")
+                .help(Some("a file for Shadertoy is all that its shader has: nothing collides with it".into())),
+            E::Fault { why, .. } => d("OR0812").note(why.clone()).help(Some(
+                "this is a fault of Orogen; a smaller shader that shows it is worth a report".into(),
+            )),
             E::Panic { why, .. } => d("OR0811").note(format!("naga says: {why}")).help(Some(
                 "this is a fault of naga; export wgsl, which does not go through it, and report a smaller shader there"
                     .into(),

@@ -8,7 +8,7 @@ use crate::template;
 
 /// For the languages with a preprocessor: no line ends in a backslash, which would join the next one to the comment.
 pub(super) fn header(shader: &Shader, templates: &Templates) -> Result<String, Error> {
-    let facts = Facts::of(&shader.checked().baked.composition);
+    let facts = Facts::of(&shader.baked().composition);
     let text = template::render(templates, "header.jinja", facts)?;
     let lines = text.trim_end().lines().map(|line| line.trim_end().trim_end_matches('\\'));
     Ok(lines.collect::<Vec<_>>().join("\n"))

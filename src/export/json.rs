@@ -1,10 +1,11 @@
 //! The interface of a shader as JSON: [`Shader`] → everything that a host may want to know.
 
 use serde::Serialize;
-use serde_json::{Map, Value as Json};
+use serde_json::Value as Plain;
 
 use crate::bake::{Interface, Storage};
 use crate::compose::Parameter;
+use crate::ordered::Json;
 use crate::preset::listing::{option_json, value_json};
 use crate::shader::Shader;
 
@@ -15,7 +16,7 @@ struct Document<'a> {
     name: &'a str,
     about: &'a str,
     /// In force, by key.
-    options: Map<String, Json>,
+    options: Json,
     parameters: Vec<Entry<'a>>,
     #[serde(flatten)]
     interface: &'a Interface,
@@ -30,7 +31,7 @@ struct Entry<'a> {
     storage: &'static str,
     /// Whether the code reads it.
     read: bool,
-    value: Json,
+    value: Plain,
     #[serde(skip_serializing_if = "Option::is_none")]
     unit: Option<&'a str>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -43,18 +44,16 @@ struct Entry<'a> {
 }
 
 pub(super) fn interface(shader: &Shader) -> String {
-    let baked = &shader.checked().baked;
+    let baked = shader.baked();
     let composition = &baked.composition;
     let parameters = composition.parameters.iter().zip(&baked.storage);
+    let options = composition.options.iter();
+    let options = options.map(|one| (one.decl.key.to_string(), option_json(&one.decl, one.value).into()));
     let document = Document {
         orogen: env!("CARGO_PKG_VERSION"),
         name: &composition.name,
         about: &composition.about,
-        options: composition
-            .options
-            .iter()
-            .map(|one| (one.decl.key.to_string(), option_json(&one.decl, one.value)))
-            .collect(),
+        options: Json::Object(options.collect()),
         parameters: parameters.map(|(parameter, storage)| entry(parameter, *storage)).collect(),
         interface: shader.interface(),
     };

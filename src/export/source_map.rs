@@ -24,7 +24,7 @@ struct Document<'a> {
 
 /// A source map of the shader's WGSL, which lies in the file `file_name`.
 pub fn source_map(shader: &Shader, file_name: &str) -> String {
-    let baked = &shader.checked().baked;
+    let baked = shader.baked();
     let files = &baked.composition.files;
     let mut sources: Vec<FileId> = Vec::new();
     let mut lines: FxHashMap<FileId, usize> = FxHashMap::default();

@@ -1,9 +1,11 @@
 //! What can be written, and how each wants the shader composed: name → [`Target`] → [`Stage`], [`Bake`].
 
-use std::fmt;
-use std::str::FromStr;
+#[cfg(feature = "check")]
+use std::{fmt, str::FromStr};
 
+#[cfg(feature = "check")]
 use super::error::ExportError;
+#[cfg(feature = "check")]
 use crate::bake::Bake;
 
 /// The stage of the entry point that a scene gets.
@@ -19,6 +21,7 @@ pub enum Stage {
 }
 
 /// A kind of file.
+#[cfg(feature = "check")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Target {
     /// The composed WGSL itself.
@@ -28,6 +31,10 @@ pub enum Target {
     Shadertoy,
     /// GLSL ES 3.00, as WebGL 2 compiles it: one fragment shader.
     Glsl,
+    /// Interactive Shader Format: GLSL with a JSON header, whose inputs are the live parameters.
+    Isf,
+    /// WGSL for compute.toys' editor.
+    ComputeToys,
     /// SPIR-V 1.3, as Vulkan 1.1 takes it, little-endian: all entry points.
     Spirv,
     /// HLSL for shader model 6.0: all entry points.
@@ -36,23 +43,39 @@ pub enum Target {
     Msl,
     /// What a host needs to know of the shader.
     Json,
+    /// Rust for the shader's host: its parameters as structs, with the WGSL in it.
+    Rust,
 }
 
+#[cfg(feature = "check")]
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 7] =
-        [Self::Wgsl, Self::Shadertoy, Self::Glsl, Self::Spirv, Self::Hlsl, Self::Msl, Self::Json];
+    pub const ALL: [Self; 10] = [
+        Self::Wgsl,
+        Self::Shadertoy,
+        Self::Glsl,
+        Self::Isf,
+        Self::ComputeToys,
+        Self::Spirv,
+        Self::Hlsl,
+        Self::Msl,
+        Self::Json,
+        Self::Rust,
+    ];
 
-    /// Its name: `wgsl`, `shadertoy`, `glsl`, `spirv`, `hlsl`, `msl`, `json`.
+    /// Its name: `wgsl`, `shadertoy`, `glsl`, `isf`, `compute-toys`, `spirv`, `hlsl`, `msl`, `json`, `rust`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Wgsl => "wgsl",
             Self::Shadertoy => "shadertoy",
             Self::Glsl => "glsl",
+            Self::Isf => "isf",
+            Self::ComputeToys => "compute-toys",
             Self::Spirv => "spirv",
             Self::Hlsl => "hlsl",
             Self::Msl => "msl",
             Self::Json => "json",
+            Self::Rust => "rust",
         }
     }
 
@@ -62,42 +85,57 @@ impl Target {
             Self::Wgsl => "wgsl",
             Self::Shadertoy => "shadertoy.glsl",
             Self::Glsl => "frag",
+            Self::Isf => "fs",
+            Self::ComputeToys => "compute.wgsl",
             Self::Spirv => "spv",
             Self::Hlsl => "hlsl",
             Self::Msl => "metal",
             Self::Json => "json",
+            Self::Rust => "rs",
         }
     }
 
     /// Which entry point a scene gets, for [`Compose::stage`](crate::Compose::stage); `requested` is the user's wish.
     ///
-    /// GLSL and Shadertoy call `main_image`, since their pixels count from the bottom left as its do.
+    /// GLSL, Shadertoy and their like call `main_image`, since their pixels count from the bottom left as its do.
     ///
     /// # Errors
     /// Where the target has no such stage.
     pub fn stage(self, requested: Option<Stage>) -> Result<Stage, crate::Error> {
         match (self, requested) {
-            (Self::Glsl | Self::Shadertoy, Some(Stage::Compute)) => {
+            (Self::Glsl | Self::Shadertoy | Self::Isf, Some(Stage::Compute)) => {
                 Err(ExportError::Stage { target: self }.into())
             }
-            (Self::Glsl | Self::Shadertoy, _) => Ok(Stage::MainImage),
+            (Self::Glsl | Self::Shadertoy | Self::Isf | Self::ComputeToys, _) => Ok(Stage::MainImage),
             (_, requested) => Ok(requested.unwrap_or_default()),
         }
     }
 
-    /// How parameters are to be baked: on Shadertoy, live ones are global variables, since no host sets uniforms there.
+    /// Whether its files can be minified: those that are text which others compile.
+    pub fn is_minified(self) -> bool {
+        matches!(self, Self::Wgsl | Self::Shadertoy | Self::Glsl)
+    }
+
+    /// How parameters are to be baked: on Shadertoy and its like, live ones are global variables, since no host sets uniforms
+    /// there. In GLSL the group `frame` is uniforms of their own, beside the buffer of the live ones.
     #[must_use]
     pub fn bake(self, bake: Bake) -> Bake {
-        if self == Self::Shadertoy { bake.as_variables() } else { bake }
+        match self {
+            Self::Shadertoy | Self::Isf | Self::ComputeToys => bake.as_variables(),
+            Self::Glsl => bake.with_frame_as_variables(),
+            _ => bake,
+        }
     }
 }
 
+#[cfg(feature = "check")]
 impl fmt::Display for Target {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
     }
 }
 
+#[cfg(feature = "check")]
 impl FromStr for Target {
     type Err = crate::Error;
 

@@ -2,9 +2,10 @@
 
 use std::fmt::Write;
 
-use serde_json::{Map, Value as Json, json};
+use serde_json::Value as Plain;
 
 use super::settle::{Declarations, Settings};
+use crate::ordered::Json;
 use crate::syntax::{OptionDecl, OptionKind, OptionValue, ParamDecl, Value};
 
 /// A parameter or an option, in words.
@@ -100,71 +101,73 @@ pub fn markdown(declarations: &Declarations, settings: &Settings) -> String {
 pub fn json(declarations: &Declarations, settings: &Settings) -> String {
     let parameters = declarations.parameters.iter().zip(&settings.parameters).map(|(p, value)| {
         let decl = &p.decl;
-        json!({
-            "name": decl.key.to_string(),
-            "type": decl.ty.name(),
-            "default": value_json(&decl.default),
-            "value": value_json(value),
-            "range": decl.range.map(|(low, high)| [low, high]),
-            "unit": decl.unit,
-            "color": decl.color,
-            "log": decl.log,
-            "live": decl.live,
-            "doc": sentence(&decl.doc),
-        })
+        Json::object([
+            ("name", decl.key.to_string().into()),
+            ("type", decl.ty.name().into()),
+            ("default", value_json(&decl.default).into()),
+            ("value", value_json(value).into()),
+            ("range", decl.range.map(|(low, high)| vec![low, high]).into()),
+            ("unit", decl.unit.clone().into()),
+            ("color", decl.color.into()),
+            ("log", decl.log.into()),
+            ("live", decl.live.into()),
+            ("doc", sentence(&decl.doc).into()),
+        ])
     });
     let options = declarations.options.iter().zip(&settings.options).map(|(o, value)| {
         let decl = &o.decl;
-        let mut object = json!({
-            "name": decl.key.to_string(),
-            "default": option_json(decl, decl.default),
-            "value": option_json(decl, *value),
-            "doc": sentence(&decl.doc),
-        });
+        let mut object = Json::object([
+            ("name", decl.key.to_string().into()),
+            ("default", option_json(decl, decl.default).into()),
+            ("value", option_json(decl, *value).into()),
+            ("doc", sentence(&decl.doc).into()),
+        ]);
         match &decl.kind {
-            OptionKind::Choice(names) => object["choices"] = json!(names),
-            OptionKind::Bool => object["choices"] = json!([true, false]),
-            OptionKind::Integer(limits) => object["range"] = json!(limits.map(|(low, high)| [low, high])),
+            OptionKind::Choice(names) => object.set("choices", names.clone()),
+            OptionKind::Bool => object.set("choices", vec![true, false]),
+            OptionKind::Integer(limits) => object.set("range", limits.map(|(low, high)| vec![low, high])),
         }
         object
     });
-    let all = json!({ "parameters": parameters.collect::<Vec<_>>(), "options": options.collect::<Vec<_>>() });
-    pretty(&all)
+    let (parameters, options) = (parameters.collect(), options.collect());
+    Json::object([("parameters", Json::List(parameters)), ("options", Json::List(options))]).pretty()
 }
 
 /// A value as a preset writes it.
-pub fn value_json(value: &Value) -> Json {
-    let float = |value: &f32| serde_json::from_str(&format!("{value:?}")).unwrap_or(Json::Null); // f32's own digits
+pub fn value_json(value: &Value) -> Plain {
+    let float = |value: &f32| serde_json::from_str(&format!("{value:?}")).unwrap_or(Plain::Null); // f32's own digits
     match value {
-        Value::Bool(value) => json!(value),
-        Value::I32(value) => json!(value),
-        Value::U32(value) => json!(value),
+        Value::Bool(value) => (*value).into(),
+        Value::I32(value) => (*value).into(),
+        Value::U32(value) => (*value).into(),
         Value::F32(value) => float(value),
         vector => vector.floats().iter().map(float).collect(),
     }
 }
 
 /// An option's value as a preset writes it.
-pub fn option_json(decl: &OptionDecl, value: OptionValue) -> Json {
+pub fn option_json(decl: &OptionDecl, value: OptionValue) -> Plain {
     match value {
-        OptionValue::Bool(on) => json!(on),
-        OptionValue::Integer(n) => json!(n),
-        OptionValue::Choice(_) => json!(decl.show(value)),
+        OptionValue::Bool(on) => on.into(),
+        OptionValue::Integer(n) => n.into(),
+        OptionValue::Choice(_) => decl.show(value).into(),
     }
 }
 
 /// A JSON Schema (draft 2020-12) of the presets of a scene: for editors, and for checking presets without Orogen.
 pub fn schema(declarations: &Declarations, scene: &str) -> String {
-    let mut groups: Map<String, Json> = Map::new();
+    let mut groups = Json::object([]);
     let mut put = |group: &str, name: &str, schema: Json| {
         if group.is_empty() {
-            groups.insert(name.to_owned(), schema);
-            return;
+            groups.set(name, schema);
+        } else if let Some(entry) = groups.entry(group) {
+            if *entry == Json::object([]) {
+                *entry = Json::object([("type", "object".into()), ("additionalProperties", false.into())]);
+            }
+            if let Some(properties) = entry.entry("properties") {
+                properties.set(name, schema);
+            }
         }
-        let entry = groups
-            .entry(group)
-            .or_insert_with(|| json!({ "type": "object", "additionalProperties": false, "properties": {} }));
-        entry["properties"][name] = schema;
     };
     for parameter in &declarations.parameters {
         let key = &parameter.decl.key;
@@ -174,44 +177,63 @@ pub fn schema(declarations: &Declarations, scene: &str) -> String {
         let key = &option.decl.key;
         put(&key.group, &key.name, option_schema(&option.decl));
     }
-    let schema = json!({
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": format!("Orogen preset for {scene}"),
-        "type": "object",
-        "required": ["orogen"],
-        "additionalProperties": false,
-        "properties": {
-            "$schema": { "type": "string" },
-            "orogen": { "description": "Version of the preset format.", "const": 1 },
-            "about": { "description": "One line about the preset.", "type": "string" },
-            "extends": {
-                "description": "A built-in preset, or a .json file beside this one, whose values hold where this one sets none.",
-                "type": "string",
-            },
-            "scene": { "description": "The fragment that is the scene.", "type": "string" },
-            "set": { "type": "object", "additionalProperties": false, "properties": groups },
-        },
-    });
-    pretty(&schema)
+    let text =
+        |description: &str| Json::object([("description", description.into()), ("type", "string".into())]);
+    let version =
+        Json::object([("description", "Version of the preset format.".into()), ("const", 1.into())]);
+    let set = Json::object([
+        ("type", "object".into()),
+        ("additionalProperties", false.into()),
+        ("properties", groups),
+    ]);
+    let properties = Json::object([
+        ("$schema", Json::object([("type", "string".into())])),
+        ("orogen", version),
+        ("about", text("One line about the preset.")),
+        (
+            "extends",
+            text(
+                "A built-in preset, or a .json file beside this one, whose values hold where this one sets none.",
+            ),
+        ),
+        ("scene", text("The fragment that is the scene.")),
+        ("set", set),
+    ]);
+    let schema = Json::object([
+        ("$schema", "https://json-schema.org/draft/2020-12/schema".into()),
+        ("title", format!("Orogen preset for {scene}").into()),
+        ("type", "object".into()),
+        ("required", vec!["orogen"].into()),
+        ("additionalProperties", false.into()),
+        ("properties", properties),
+    ]);
+    schema.pretty()
 }
 
 fn parameter_schema(decl: &ParamDecl) -> Json {
     use crate::syntax::Type as T;
-    let limits = |low: f64, high: f64| json!({ "minimum": low, "maximum": high });
     let (low, high) = match decl.ty {
         T::I32 => (f64::from(i32::MIN), f64::from(i32::MAX)),
         T::U32 => (0.0, f64::from(u32::MAX)),
         _ => (f64::from(f32::MIN), f64::from(f32::MAX)),
     };
     let (low, high) = decl.range.map_or((low, high), |(a, b)| (a.max(low), b.min(high)));
-    let mut number = limits(low, high);
-    number["type"] = json!(if matches!(decl.ty, T::I32 | T::U32) { "integer" } else { "number" });
+    let number = Json::object([
+        ("minimum", low.into()),
+        ("maximum", high.into()),
+        ("type", if matches!(decl.ty, T::I32 | T::U32) { "integer" } else { "number" }.into()),
+    ]);
     let mut schema = match decl.ty {
-        T::Bool => json!({ "type": "boolean" }),
+        T::Bool => Json::object([("type", "boolean".into())]),
         T::I32 | T::U32 | T::F32 => number,
         vector => {
             let n = vector.components();
-            json!({ "type": "array", "items": number, "minItems": n, "maxItems": n })
+            Json::object([
+                ("type", "array".into()),
+                ("items", number),
+                ("minItems", n.into()),
+                ("maxItems", n.into()),
+            ])
         }
     };
     if decl.color {
@@ -220,24 +242,25 @@ fn parameter_schema(decl: &ParamDecl) -> Json {
         } else {
             "^#([0-9a-fA-F]{3}|[0-9a-fA-F]{6})$"
         };
-        schema = json!({ "anyOf": [schema, { "type": "string", "pattern": digits }] });
+        let written = Json::object([("type", "string".into()), ("pattern", digits.into())]);
+        schema = Json::object([("anyOf", Json::List(vec![schema, written]))]);
     }
     describe(&mut schema, &decl.doc, decl.unit.as_deref());
-    schema["default"] = value_json(&decl.default);
+    schema.set("default", value_json(&decl.default));
     schema
 }
 
 fn option_schema(decl: &OptionDecl) -> Json {
     let mut schema = match &decl.kind {
-        OptionKind::Choice(names) => json!({ "enum": names }),
-        OptionKind::Bool => json!({ "type": "boolean" }),
+        OptionKind::Choice(names) => Json::object([("enum", names.clone().into())]),
+        OptionKind::Bool => Json::object([("type", "boolean".into())]),
         OptionKind::Integer(limits) => {
             let (low, high) = limits.unwrap_or((i64::from(i32::MIN), i64::from(i32::MAX)));
-            json!({ "type": "integer", "minimum": low, "maximum": high })
+            Json::object([("type", "integer".into()), ("minimum", low.into()), ("maximum", high.into())])
         }
     };
     describe(&mut schema, &decl.doc, None);
-    schema["default"] = option_json(decl, decl.default);
+    schema.set("default", option_json(decl, decl.default));
     schema
 }
 
@@ -245,10 +268,6 @@ fn describe(schema: &mut Json, doc: &str, unit: Option<&str>) {
     let unit = unit.map_or(String::new(), |unit| format!(" ({unit})"));
     let text = sentence(doc) + &unit;
     if !text.trim().is_empty() {
-        schema["description"] = json!(text.trim());
+        schema.set("description", text.trim());
     }
-}
-
-fn pretty(value: &Json) -> String {
-    serde_json::to_string_pretty(value).unwrap_or_default() + "\n" // maps with string keys always serialise
 }

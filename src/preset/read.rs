@@ -131,17 +131,19 @@ impl Preset {
         self
     }
 
-    /// Sets `group.name=value`, as `--set` does. The value is JSON, or a word, or numbers with commas between.
+    /// Sets `group.name=value`, as `--set` does: over the preset's own value, and in the place of what was set before. The
+    /// value is JSON, or a word, or numbers with commas between.
     ///
     /// # Errors
     /// Where `assignment` has no `=`, or no name before it.
     pub fn set(&mut self, assignment: &str) -> Result<(), Error> {
-        let file = self.files.add("--set", assignment);
         let wrong = |span: Span, why: &str| {
+            let mut files = self.files.clone();
+            let file = files.add("--set", assignment);
             let diagnostic = Diagnostic::error("OR0514", why)
                 .at(file, span, "in this setting")
                 .help(Some("write `--set group.name=value`, as in `--set sun.azimuth=215`".into()));
-            Err(Error::new(vec![diagnostic], self.files.clone()))
+            Err(Error::new(vec![diagnostic], files))
         };
         let whole = Span::new(0, assignment.len());
         let Some((name, value)) = assignment.split_once('=') else {
@@ -163,13 +165,17 @@ impl Preset {
                 Err(_) => JsonKind::String(value.trim().to_owned()),
             },
         };
-        self.settings.push(Setting {
-            key: Key { group: group.into(), name: own.into() },
-            key_span: Span::new(0, name.len()),
-            value: Json { kind: flat_spans(kind, span), span },
-            file,
-            pointer: String::new(),
-        });
+        let key = Key { group: group.into(), name: own.into() };
+        let (key_span, value) = (Span::new(0, name.len()), Json { kind: flat_spans(kind, span), span });
+        // What was set in this way before is replaced: a host may turn a parameter every frame.
+        let known = self.settings.iter_mut().find(|known| known.pointer.is_empty() && known.key == key);
+        if let Some(known) = known {
+            self.files.replace(known.file, assignment);
+            *known = Setting { key_span, value, ..known.clone() };
+            return Ok(());
+        }
+        let file = self.files.add("--set", assignment);
+        self.settings.push(Setting { key, key_span, value, file, pointer: String::new() });
         Ok(())
     }
 }
@@ -262,7 +268,8 @@ impl Reader {
     }
 
     fn level(&mut self, shown: &str, text: Arc<str>, path: Option<&Path>) -> Level {
-        let file = self.files.add(shown, text.clone());
+        let on_disk = path.and_then(source::real_path).map(Into::into);
+        let file = self.files.add_read(shown, text.clone(), on_disk);
         let mut level = Level { about: None, scene: None, settings: Vec::new(), extends: None };
         let root = match json::parse(&text) {
             Ok(root) => root,

@@ -9,7 +9,8 @@ use crate::diagnostic::Error;
 /// The variable that names the adapter where the command line does not.
 const ADAPTER: &str = "WGPU_ADAPTER_NAME";
 
-/// A GPU, or a software one, ready for work. It may be shared between threads.
+/// A GPU, or a software one, ready for work. It may be shared between threads; a clone is the same one.
+#[derive(Clone)]
 pub struct Gpu {
     pub(super) device: wgpu::Device,
     pub(super) queue: wgpu::Queue,
@@ -31,6 +32,19 @@ impl Gpu {
         let opened =
             guarded(|| open(name.as_deref())).unwrap_or_else(|why| Err(RenderError::Panicked(why.0)));
         opened.map_err(Error::from)
+    }
+
+    /// The host's own device. Its callbacks for lost devices and uncaptured errors stay the host's: what goes wrong with
+    /// work that is done here comes back as an error.
+    pub fn of(device: &wgpu::Device, queue: &wgpu::Queue) -> Self {
+        let info = device.adapter_info();
+        Self {
+            device: device.clone(),
+            queue: queue.clone(),
+            name: info.name,
+            software: info.device_type == wgpu::DeviceType::Cpu,
+            lost: Arc::default(),
+        }
     }
 
     /// The adapter's name, as its driver gives it.

@@ -64,6 +64,12 @@ fn check(gpu: &Gpu, shot: &Shot) -> Result<(), RenderError> {
             help: "give it in seconds, as in `--time 12.5`",
         });
     }
+    if shot.mouse.is_some_and(|mouse| !mouse.iter().all(|value| value.is_finite())) {
+        return Err(RenderError::Shot {
+            why: "the mouse is not at finite pixels",
+            help: "give where it is and where it was pressed, as in `--mouse 400,300,200,300`",
+        });
+    }
     Ok(())
 }
 
@@ -236,7 +242,7 @@ type Bound = (wgpu::BindGroupLayout, wgpu::Buffer, wgpu::BindGroup, u32);
 /// The uniform buffer of live parameters, ready to be bound.
 pub(super) fn bound(gpu: &Gpu, uniform: &Uniform) -> Bound {
     let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some(uniform.name),
+        label: Some(&uniform.name),
         entries: &[wgpu::BindGroupLayoutEntry {
             binding: uniform.binding,
             visibility: wgpu::ShaderStages::all(),
@@ -249,13 +255,13 @@ pub(super) fn bound(gpu: &Gpu, uniform: &Uniform) -> Bound {
         }],
     });
     let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some(uniform.name),
+        label: Some(&uniform.name),
         size: u64::from(uniform.size),
         usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
     let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some(uniform.name),
+        label: Some(&uniform.name),
         layout: &layout,
         entries: &[wgpu::BindGroupEntry { binding: uniform.binding, resource: buffer.as_entire_binding() }],
     });
@@ -284,7 +290,7 @@ fn stages(shader: &Shader) -> Result<Stages<'_>, RenderError> {
 /// Sees to it that the entry points numbered `used` read nothing bound but the parameters and `ours`.
 pub(super) fn only_bound_here(shader: &Shader, used: &[usize], ours: &[&str]) -> Result<(), RenderError> {
     let checked = shader.checked();
-    let uniform = checked.interface.uniform.as_ref().map(|uniform| uniform.name);
+    let uniform = checked.interface.uniform.as_ref().map(|uniform| uniform.name.as_str());
     let mut names = Vec::new();
     for (handle, variable) in checked.module.global_variables.iter() {
         let name = variable.name.as_deref().unwrap_or_default();

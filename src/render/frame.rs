@@ -17,6 +17,8 @@ pub struct Shot {
     pub delta: Option<f32>,
     /// `frame.index`
     pub index: u32,
+    /// `frame.mouse`, in pixels from the bottom left; none leaves what the preset says.
+    pub mouse: Option<[f32; 4]>,
     /// The side of the squares that are drawn one submission each, so that each is short; none for what suits the adapter.
     pub tile: Option<u32>,
 }
@@ -24,7 +26,7 @@ pub struct Shot {
 impl Shot {
     /// The picture at time 0, one sample a pixel.
     pub fn new(width: u32, height: u32) -> Self {
-        Self { width, height, samples: 1, time: 0.0, delta: None, index: 0, tile: None }
+        Self { width, height, samples: 1, time: 0.0, delta: None, index: 0, mouse: None, tile: None }
     }
 }
 
@@ -34,10 +36,12 @@ impl Shot {
 pub fn set_frame(bytes: &mut [u8], uniform: &Uniform, shot: &Shot, jitter: [f32; 2]) {
     let resolution = [shot.width as f32, shot.height as f32];
     let delta = shot.delta.map(f32::to_le_bytes);
+    let mouse = shot.mouse.map(|mouse| mouse.map(f32::to_le_bytes));
     set(bytes, uniform, "frame.resolution", &pair(resolution));
     set(bytes, uniform, "frame.time", &shot.time.to_le_bytes());
     set(bytes, uniform, "frame.delta", delta.as_ref().map_or(&[], |bytes| bytes));
     set(bytes, uniform, "frame.index", &shot.index.to_le_bytes());
+    set(bytes, uniform, "frame.mouse", mouse.as_ref().map_or(&[], |mouse| mouse.as_flattened()));
     set(bytes, uniform, "frame.jitter", &pair(jitter));
 }
 

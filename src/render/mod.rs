@@ -21,6 +21,7 @@ mod draw;
 mod encode;
 mod error;
 mod frame;
+mod heightmap;
 mod picture;
 mod projection;
 pub mod sample;
@@ -30,5 +31,9 @@ pub use draw::{Progress, render};
 pub use encode::{Format, encode, to_srgb8};
 pub use error::{RenderError, is_no_adapter};
 pub use frame::{Shot, jitter, set_frame};
+pub use heightmap::{
+    HeightFormat, Heightmap, HeightmapError, MOST_PIXELS, Range, Tile, encode_heights, heightmap,
+    heights_about,
+};
 pub use picture::{Picture, srgb_decode, srgb_encode};
 pub use projection::{FACES, Projection, faces};

@@ -1,5 +1,6 @@
 //! The texts that one run has read, by number, so that a span can say which text it is in.
 
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, OnceLock};
 
 use super::Span;
@@ -15,6 +16,8 @@ pub struct File {
     pub name: Arc<str>,
     /// All of it.
     pub text: Arc<str>,
+    /// The file on disk that it was read from, without links; none of what came from elsewhere.
+    pub path: Option<Arc<Path>>,
     line_starts: OnceLock<Arc<[u32]>>,
 }
 
@@ -36,9 +39,25 @@ pub struct Place {
 impl Files {
     /// Takes a text in and numbers it.
     pub fn add(&mut self, name: impl Into<Arc<str>>, text: impl Into<Arc<str>>) -> FileId {
+        self.add_read(name, text, None)
+    }
+
+    /// As [`Files::add`], of a text that was read from the file at `path`, if it was.
+    pub(crate) fn add_read(
+        &mut self,
+        name: impl Into<Arc<str>>,
+        text: impl Into<Arc<str>>,
+        path: Option<Arc<Path>>,
+    ) -> FileId {
         let id = FileId(self.files.len() as u32);
-        self.files.push(File { name: name.into(), text: text.into(), line_starts: OnceLock::new() });
+        self.files.push(File { name: name.into(), text: text.into(), path, line_starts: OnceLock::new() });
         id
+    }
+
+    /// Puts another text in the place of the one numbered `id`.
+    pub(crate) fn replace(&mut self, id: FileId, text: impl Into<Arc<str>>) {
+        let file = &mut self.files[id.0 as usize];
+        (file.text, file.line_starts) = (text.into(), OnceLock::new());
     }
 
     /// Takes all texts of `other` in; the number of each grows by what comes back.
@@ -51,6 +70,11 @@ impl Files {
     /// The text numbered `id`.
     pub fn get(&self, id: FileId) -> &File {
         &self.files[id.0 as usize]
+    }
+
+    /// The files on disk that texts were read from.
+    pub(crate) fn on_disk(&self) -> Vec<PathBuf> {
+        self.files.iter().filter_map(|file| file.path.as_deref()).map(Path::to_owned).collect()
     }
 
     /// Every text, in the order they were read.

@@ -80,6 +80,8 @@ pub struct Source {
     pub text: Arc<str>,
     /// Equal for the same file, by whichever way it was reached.
     pub(crate) identity: Arc<str>,
+    /// The file on disk, without links; none of what came from elsewhere.
+    pub(crate) on_disk: Option<Arc<Path>>,
     /// What `"…"` includes are relative to.
     home: Home,
     /// The path inside `home`.
@@ -146,6 +148,16 @@ impl Library {
             _ => self.layers.push(Layer::Memory(BTreeMap::from([(path, text)]))),
         }
         self
+    }
+
+    /// The folders on disk that are laid over it, without links.
+    #[cfg(feature = "watch")]
+    pub(crate) fn folders(&self) -> Vec<PathBuf> {
+        let folders = self.layers.iter().filter_map(|layer| match layer {
+            Layer::Folder(folder) => Some(folder.real.clone()),
+            Layer::Embedded | Layer::Memory(_) => None,
+        });
+        folders.collect()
     }
 
     /// The paths of all fragments, sorted. Folders on disk are walked at most 16 levels deep; links are not followed.
@@ -244,6 +256,7 @@ impl Library {
             name: inside.into(),
             text,
             identity,
+            on_disk: None,
             home: Home::Layer(index),
             path: inside.into(),
         }))
@@ -256,6 +269,7 @@ impl Source {
         let name = name.into();
         Self {
             identity: format!("text:{name}").into(),
+            on_disk: None,
             path: name.clone(),
             name,
             text: text.into(),
@@ -294,6 +308,7 @@ impl Source {
             name: shown.into(),
             text,
             identity: format!("file:{}", real.display()).into(),
+            on_disk: Some(real.into()),
             home: Home::Folder(folder),
             path: name.into(),
         })
@@ -356,7 +371,8 @@ impl Folder {
         }
         let text = read_text(&real, &shown)?;
         let identity = format!("file:{}", real.display()).into();
-        Ok(Some(Source { name: shown.into(), text, identity, home, path: inside.into() }))
+        let on_disk = Some(real.into());
+        Ok(Some(Source { name: shown.into(), text, identity, on_disk, home, path: inside.into() }))
     }
 
     fn walk(&self, paths: &mut BTreeSet<String>) {

@@ -5,6 +5,10 @@
 //! as §3.9 describes, so that `array<vec2<f32>>` and `a >> b` come out right. A line whose first character past blank
 //! space is `#` is one [`TokenKind::Directive`].
 
+use std::sync::LazyLock;
+
+use rustc_hash::FxHashSet;
+
 use super::token::{Token, TokenKind, Tokens};
 
 /// Splits `text` into tokens; concatenated they are `text` again. Never fails and never recurses.
@@ -39,6 +43,16 @@ pub(super) fn continues_ident(c: char) -> bool {
 pub fn is_ident(name: &str) -> bool {
     let mut chars = name.chars();
     chars.next().is_some_and(starts_ident) && chars.all(continues_ident) && name != "_"
+}
+
+/// Keywords, reserved words and predeclared names of WGSL (its specification's chapters 3, 6 and 17).
+static WORDS: LazyLock<FxHashSet<&str>> =
+    LazyLock::new(|| include_str!("wgsl_words.txt").split_whitespace().collect());
+
+/// Whether WGSL has another use for `name`, or keeps it for one: a declaration of that name would be an error, or hide a
+/// type or a function of WGSL's own.
+pub fn is_reserved(name: &str) -> bool {
+    WORDS.contains(name) || name == "_" || name.starts_with("__")
 }
 
 /// Whether `c` ends a line in WGSL.

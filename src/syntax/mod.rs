@@ -18,7 +18,7 @@ pub use directive::{
     plain_type,
 };
 pub use fragment::{Fragment, Placed, parse_fragment};
-pub use lexer::{is_ident, is_line_break, lex};
+pub use lexer::{is_ident, is_line_break, is_reserved, lex};
 pub use split::split;
 pub use token::{Token, TokenKind, Tokens};
 pub use value::{Key, OptionDecl, OptionKind, OptionValue, ParamDecl, Type, Value};

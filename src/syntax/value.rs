@@ -1,7 +1,5 @@
 //! Types and values of parameters and options, and the declarations that carry them.
 
-use glam::{Vec2, Vec3, Vec4};
-
 use crate::source::Span;
 
 /// What a parameter can be.
@@ -80,11 +78,11 @@ pub enum Value {
     /// `f32`
     F32(f32),
     /// `vec2f`
-    Vec2f(Vec2),
+    Vec2f([f32; 2]),
     /// `vec3f`
-    Vec3f(Vec3),
+    Vec3f([f32; 3]),
     /// `vec4f`
-    Vec4f(Vec4),
+    Vec4f([f32; 4]),
 }
 
 impl Value {
@@ -105,9 +103,9 @@ impl Value {
     pub fn floats(&self) -> &[f32] {
         match self {
             Self::F32(v) => std::slice::from_ref(v),
-            Self::Vec2f(v) => v.as_ref(),
-            Self::Vec3f(v) => v.as_ref(),
-            Self::Vec4f(v) => v.as_ref(),
+            Self::Vec2f(v) => v,
+            Self::Vec3f(v) => v,
+            Self::Vec4f(v) => v,
             _ => &[],
         }
     }
@@ -116,9 +114,9 @@ impl Value {
     pub fn from_floats(ty: Type, floats: &[f32]) -> Option<Self> {
         match (ty, floats) {
             (Type::F32, [x]) => Some(Self::F32(*x)),
-            (Type::Vec2f, [x, y]) => Some(Self::Vec2f(Vec2::new(*x, *y))),
-            (Type::Vec3f, [x, y, z]) => Some(Self::Vec3f(Vec3::new(*x, *y, *z))),
-            (Type::Vec4f, [x, y, z, w]) => Some(Self::Vec4f(Vec4::new(*x, *y, *z, *w))),
+            (Type::Vec2f, list) => list.try_into().ok().map(Self::Vec2f),
+            (Type::Vec3f, list) => list.try_into().ok().map(Self::Vec3f),
+            (Type::Vec4f, list) => list.try_into().ok().map(Self::Vec4f),
             _ => None,
         }
     }

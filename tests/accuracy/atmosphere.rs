@@ -7,7 +7,7 @@ use truth::points::Random;
 use crate::harness::{Report, Scope, values};
 
 const SECTION: &str = "Atmosphere";
-const INCLUDES: &[&str] = &["<sky/atmosphere.wgsl>"];
+const INCLUDES: &[&str] = &["<sky/scattering.wgsl>"];
 
 /// `reference/atmosphere.json`: height (m), mu, transmittance.
 pub(crate) const TRANSMITTANCE: [(f32, f32, [f64; 3]); 3] = [

@@ -7,7 +7,7 @@ use crate::atmosphere::MARS;
 use crate::harness::{Report, Scope, values};
 
 const SECTION: &str = "Sky, all orders of scattering";
-const SKY: &[&str] = &["<sky/atmosphere.wgsl>"];
+const SKY: &[&str] = &["<sky/scattering.wgsl>"];
 const ORDERS: &[&str] = &["<sky/orders.wgsl>"];
 
 /// `reference/sky_all_orders.json`: the eye's height (m), zenith angles of sun and view, azimuth between them; radiance.
@@ -167,7 +167,7 @@ fn level_ground_gets_what_traced_paths_bring() {
 /// Light that comes back out of the air at its top, over all directions, and light that the ground keeps, of what comes in:
 /// (reflected, kept) with `steps` × `steps` directions, the sun at `mu`.
 const FURNACE: &str = "
-#include <sky/atmosphere.wgsl>
+#include <sky/scattering.wgsl>
 fn furnace(mu: f32, steps: u32) -> array<vec3f, 2> {
     let to_sun = vec3f(sqrt(1.0 - mu * mu), mu, 0.0);
     let top = sky.air_height;
@@ -225,7 +225,7 @@ fn no_air_gives_back_more_light_than_it_gets() {
 
 /// What is seen in a sky of radiance 1 all around: the air's own light out of it, and what shows through from behind.
 const SURROUNDED: &str = "
-#include <sky/atmosphere.wgsl>
+#include <sky/scattering.wgsl>
 fn surrounded(height: f32, view_mu: f32, steps: u32) -> vec3f {
     let view = vec3f(sqrt(1.0 - view_mu * view_mu), view_mu, 0.0);
     let way = atmosphere_way(AirPlace(height, view_mu), RAY_FAR);

@@ -75,15 +75,16 @@ fn the_land_s_slope_is_that_of_its_height() {
 }
 
 #[test]
-fn the_land_stays_under_its_ceiling() {
-    let mut report = Report::new("Terrain", "the_land_stays_under_its_ceiling");
+fn the_land_stays_between_its_floor_and_its_ceiling() {
+    let mut report = Report::new("Terrain", "the_land_stays_between_its_floor_and_its_ceiling");
     let fragment = "#include <terrain/height.wgsl>
-         fn highest_around(p: vec2f) -> f32 {
-             var highest = -1e9;
+         fn lowest_and_highest_around(p: vec2f) -> vec2f {
+             var bounds = vec2f(1e9, -1e9);
              for (var i = 0; i < 64; i++) {
-                 highest = max(highest, terrain_height(p + vec2f(f32(i % 8), f32(i / 8)) * 137.7));
+                 let height = terrain_height(p + vec2f(f32(i % 8), f32(i / 8)) * 137.7);
+                 bounds = vec2f(min(bounds.x, height), max(bounds.y, height));
              }
-             return highest;
+             return bounds;
          }";
     let points: Vec<[f32; 2]> = Random::new(32).points(2_000, 200_000.0);
     for (name, settings) in RELIEFS {
@@ -91,9 +92,13 @@ fn the_land_stays_under_its_ceiling() {
         preset.set("terrain.octaves=13").unwrap();
         preset.set("terrain.forms=4").unwrap();
         let scope = Scope { fragment, preset: Some(&preset), ..Scope::default() };
-        let rows = values("highest_around(p) / terrain_ceiling()", &scope, ["x", "y"], &points);
-        let highest = rows.iter().map(|row| row[0]).fold(f64::MIN, f64::max);
+        let expression = "vec4f(lowest_and_highest_around(p), terrain_floor(), terrain_ceiling())";
+        let rows = values(expression, &scope, ["x", "y"], &points);
+        let highest = rows.iter().map(|row| row[1] / row[3]).fold(f64::MIN, f64::max);
         report.at_most(&format!("{name}: highest of 128,000 places, as a part of the ceiling"), highest, 1.0);
+        // Some floors are 0: how far above it, as a part of all the height there may be.
+        let above = rows.iter().map(|row| (row[0] - row[2]) / (row[3] - row[2])).fold(f64::MAX, f64::min);
+        report.at_least(&format!("{name}: lowest of 128,000 places over the floor, likewise"), above, 0.0);
     }
     report.finish();
 }

@@ -12,6 +12,9 @@
 //! library: standard             Orogen's own fragments lie below those of the case
 //! root: text                    `input.wgsl` is a text of the host's, in no folder
 //! preset: alpine                a built-in preset
+//! module: lib.wgsl              a fragment in the scene's place, on its own
+//! only: f, g                    of the root's declarations, these
+//! prefix: og_                   what all names start with
 //! view: steps                   a debug view in the scene's place: the library's `inspect/steps.wgsl`
 //! ```
 //!
@@ -21,10 +24,13 @@
 #![allow(dead_code, reason = "each test binary uses its part")]
 #![allow(clippy::unwrap_used, clippy::panic, reason = "a test fails by panicking")]
 
+pub(crate) mod corpus;
+pub(crate) mod glsl;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use orogen::{Bake, Compose, Error, Library, Preset, Shader, Templates};
+use orogen::{Bake, Compose, Error, Library, Prefix, Preset, Shader, Templates};
 use similar::TextDiff;
 
 /// Every case under `tests/<folder>`, sorted.
@@ -120,6 +126,9 @@ impl Case {
         let mut compose = Compose::default();
         (compose.keep_unused, compose.templates) = (keep_unused, templates);
         compose.view = self.setting("view").first().cloned();
+        compose.module = self.setting("module").first().cloned();
+        compose.only = self.list("only");
+        compose.prefix = Prefix::new(self.setting("prefix").first().map_or("", String::as_str))?;
         compose.run(library, &self.preset()?, &self.bake())
     }
 

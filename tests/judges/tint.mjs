@@ -67,12 +67,16 @@ function position(code, offset) {
   return [lines.length, lines.at(-1).length + 1];
 }
 
-/** The entry points of `bare`: `{ stage, name, line, column }`. */
+/** The entry points of `bare`: `{ stage, name, line, column, format }`, the last being what a fragment's colour fits. */
 function entryPoints(bare) {
-  const found = bare.matchAll(/@(vertex|fragment|compute)\b[^{};]*?\bfn\s+([\p{XID_Start}_][\p{XID_Continue}]*)/gu);
+  const found = bare.matchAll(
+    /@(vertex|fragment|compute)\b[^{};]*?\bfn\s+([\p{XID_Start}_][\p{XID_Continue}]*)([^{;]*)/gu,
+  );
   return [...found].map((at) => {
     const [line, column] = position(bare, at.index);
-    return { stage: at[1], name: at[2], line, column };
+    const integers = /->\s*@location\(0\)\s*vec4(?:([iu])|<([iu])32>)/.exec(at[3]);
+    const format = { i: "rgba32sint", u: "rgba32uint" }[integers?.[1] ?? integers?.[2]] ?? "rgba16float";
+    return { stage: at[1], name: at[2], line, column, format };
   });
 }
 
@@ -98,9 +102,9 @@ async function buildPipelines(device, module, entries) {
   const ownVertex = entries.find((entry) => entry.stage === "vertex");
   const vertex = ownVertex ? { module, entryPoint: ownVertex.name } : { module: bareVertex, entryPoint: "corner" };
   const messages = [];
-  for (const { stage, name, line, column } of entries) {
+  for (const { stage, name, line, column, format } of entries) {
     const shader = { module, entryPoint: name };
-    const targets = [{ format: "rgba16float" }];
+    const targets = [{ format }];
     try {
       if (stage === "compute") await device.createComputePipelineAsync({ layout: "auto", compute: shader });
       if (stage === "fragment") {

@@ -25,7 +25,8 @@
 #param camera.look_at: vec3f = (0, 0, -1000), unit m
 /// Focal length on a frame 36 mm wide: 24 is wide, 50 normal, 85 long.
 #param camera.focal_length: f32 = 35.0, range 8 .. 1200, log, unit mm
-/// How far the view turns when the mouse is dragged across the whole picture.
+/// How far the view turns when the mouse is dragged across the whole picture: what is seen goes with the mouse. Up and down
+/// it stops at 89 deg, and a panorama only turns to the sides.
 #param camera.drag: f32 = 180.0, range 0 .. 720, unit deg
 
 const HALF_FRAME: f32 = 18.0; // mm
@@ -61,7 +62,7 @@ fn camera_ray(frag_coord: vec2f, ground_height: f32) -> CameraRay {
 #endif
     let drag = (frame.mouse.xy - abs(frame.mouse.zw)) / frame.resolution.x;
     azimuth -= camera.drag * drag.x;
-    elevation = clamp(elevation - camera.drag * drag.y, -1.55, 1.55);
+    elevation = clamp(elevation - camera.drag * drag.y, -1.5533430, 1.5533430); // 89 deg
 
 #if camera.projection == equirectangular
     let turned = frag_coord / frame.resolution + vec2f(azimuth / 6.2831853, 0.0);

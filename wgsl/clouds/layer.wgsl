@@ -98,16 +98,23 @@ const CLOUD_OCTAVES: i32 = 5;
 const CLOUD_MEAN: f32 = 0.84;
 // As far as it is worth telling that there is no cloud, in distances between heaps.
 const CLOUD_VACANT: f32 = 0.3;
-// Samples of a column's profile; steps that a shadow's way is divided into.
-const CLOUD_COLUMN: i32 = 8;
+// Samples of a column's profile; steps that a shadow's way is divided into; width of the smallest detail looked at, in pixels.
 #if quality == low
-const CLOUD_SHADOW_SAMPLES: i32 = 8;
+const CLOUD_COLUMN: i32 = 4;
+const CLOUD_SHADOW_SAMPLES: i32 = 12;
+const CLOUD_DETAIL: f32 = 2.0;
 #elif quality == medium
+const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 32;
+const CLOUD_DETAIL: f32 = 1.0;
 #elif quality == high
+const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 64;
+const CLOUD_DETAIL: f32 = 1.0;
 #else
+const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 96;
+const CLOUD_DETAIL: f32 = 1.0;
 #endif
 // The least that is eaten, over the most.
 const CLOUD_RIM: f32 = 0.35;
@@ -582,7 +589,7 @@ fn clouds_found(
         return CloudsSeen(vec3f(0.0), 1.0, far);
     }
     var how = cloud_effort();
-    how.pixel_angle = pixel_angle;
+    how.pixel_angle = CLOUD_DETAIL * pixel_angle;
     how.growth = min(how.growth, (end - begin) / (12.0 * end)); // from far away the layer is thin
     let seen = cloud_volume_march(origin, direction, begin, end, key_direction(), jitter, how);
     return CloudsSeen(seen.radiance, seen.transmittance, seen.distance);
@@ -637,7 +644,7 @@ fn clouds_mean(origin: vec3f, direction: vec3f, far: f32, day: Daylight) -> Clou
 fn cloud_effort() -> cloud_volume_Volume {
     let unit = clouds.scale / 1000.0;
 #if quality == low
-    return cloud_volume_Volume(0.4, 1.0, 8, 18.5 * unit, 0.014, 3.1 * unit, 64, 0.05, 0.0);
+    return cloud_volume_Volume(0.4, 1.0, 6, 18.5 * unit, 0.014, 3.1 * unit, 64, 0.05, 0.0);
 #elif quality == medium
     return cloud_volume_Volume(0.2, 0.5, 10, 13.0 * unit, 0.009, 1.5 * unit, 128, 0.02, 0.0);
 #elif quality == high

@@ -11,7 +11,7 @@ const GOLDEN_PART: f32 = 0.618034;
 /// shadows in raymarched SDFs", 2010): `spread` is its angular radius (rad, > 0). `start` and `far` (m) are where to
 /// begin and to give up, `ceiling` (m) a height that the ground nowhere exceeds, `max_steps` how often to look: steps
 /// grow with distance, and so does the size of the details looked at. The least is then searched for between the looks
-/// (golden section), or the shadows of crests would have teeth.
+/// (golden section, half as many looks, 8 at most), or the shadows of crests would have teeth.
 fn shadow_soft(
     origin: vec3f,
     to_light: vec3f,
@@ -44,7 +44,8 @@ fn shadow_soft(
     var b = 0.0;
     var at_a = 0.0;
     var at_b = 0.0;
-    for (var i = 0; i < max_steps + 8; i++) {
+    let searches = min(8, max_steps / 2);
+    for (var i = 0; i < max_steps + searches; i++) {
         if looks == 0 && (i >= max_steps || t > end || least < -1.0) {
             if newest {
                 high = min(t, end);
@@ -56,7 +57,7 @@ fn shadow_soft(
             b = low + GOLDEN_PART * (high - low);
             looks = 1;
         }
-        if looks > 8 {
+        if looks > searches {
             break;
         }
         if looks == 1 {

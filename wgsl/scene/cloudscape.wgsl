@@ -73,6 +73,20 @@ fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     return Traced(radiance, distance);
 }
 
+/// The light that falls on a thing of a host's own at `position` (m), seen from `distance` (m) away: the sun, as far as
+/// clouds leave it, and the sky.
+fn scene_daylight(position: vec3f, distance: f32) -> Daylight {
+    var day = weather_daylight(position);
+    day.sun *= weather_sun_seen(position, day);
+    return day;
+}
+
+/// Air and clouds between `origin` (m) and what a host draws `distance` (m) away in the unit `direction`; `sky_through` has a
+/// radiance seen through them.
+fn scene_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
+    return weather_air(origin, direction, distance, 0.5, weather_daylight(origin + distance * direction));
+}
+
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
 fn main_image(frag_coord: vec2f) -> vec4f {
     let ray = camera_ray(frag_coord, 0.0);

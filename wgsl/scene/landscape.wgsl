@@ -4,8 +4,11 @@
 #include <camera/display.wgsl>
 #include <frame.wgsl>
 #include <geometry/ray.wgsl>
+#include <light/daylight.wgsl>
 #include <noise/interleaved_gradient.wgsl>
+#include <quality.wgsl>
 #include <scene/weather.wgsl>
+#include <sky/air.wgsl>
 #include <sky/sky.wgsl>
 #include <terrain/height.wgsl>
 #include <terrain/shade.wgsl>
@@ -14,6 +17,8 @@
 #option landscape.trees = false
 /// Whether the land is flooded up to `water.level`.
 #option landscape.water = false
+/// Whether things of a host's own throw shadows on the land: it lays a `scene/guests.wgsl` over the library's, which has none.
+#option landscape.guests = false
 
 #if landscape.trees
 #include <trees/trees.wgsl>
@@ -22,12 +27,15 @@
 #include <water/level.wgsl>
 #include <water/shade.wgsl>
 #endif
+#if landscape.guests
+#include <scene/guests.wgsl>
+#endif
 
 /// What a ray sees.
 struct Traced {
     /// Linear sRGB radiance.
     radiance: vec3f,
-    /// How far the ray went (m); `terrain.far` for the sky.
+    /// How far the ray went (m); `RAY_FAR` for the sky.
     distance: f32,
 }
 
@@ -35,6 +43,11 @@ struct Traced {
 const LANDSCAPE_RAYS: i32 = 2; // the second from the water on
 #else
 const LANDSCAPE_RAYS: i32 = 1;
+#endif
+#if quality == low
+const LANDSCAPE_WOODED: i32 = 1; // rays that see single trees; the others see the woods' colour on the ground
+#else
+const LANDSCAPE_WOODED: i32 = 2;
 #endif
 
 /// What is seen from `origin` (m) in the unit `direction`.
@@ -51,7 +64,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     var start = origin;
     var toward = direction;
     var gone = 0.0; // way (m) of the first ray, if there is a second
-    var distance = terrain.far; // of the first
+    var distance = RAY_FAR; // of the first
     var radiance = vec3f(0.0); // what is seen so far
     var passed = vec3f(1.0); // part of what the next ray sees that will be seen
     var blur = 0.0; // how far up and down the next ray stands for others (rad)
@@ -60,7 +73,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #endif
 
     for (var bounce = 0; bounce < LANDSCAPE_RAYS; bounce++) {
-        let land = terrain_trace(start, toward);
+        let land = terrain_trace_in(start, toward, select(1.0, LAND_MIRRORED, bounce > 0));
         var way = land.distance;
         var wet = false; // whether the ray meets water first
         var leafy = false; // whether it meets a tree first
@@ -84,7 +97,8 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         }
 #endif
 #if landscape.trees
-        let tree = trees_trace(start, toward, 0.0, way);
+        // Where the mirrored ray is to see no trees, it looks for them nowhere.
+        let tree = trees_trace(start, toward, 0.0, select(way, 0.0, bounce >= LANDSCAPE_WOODED));
         if tree.hit {
             leafy = true;
             wet = false;
@@ -127,8 +141,13 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             if sun_seen > 0.0 {
                 sun_seen *= terrain_shadow(shadowed, select(normal, vec3f(0.0, 1.0, 0.0), wet), footprint, day);
             }
-#if landscape.trees
+#if landscape.guests
             if sun_seen > 0.0 {
+                sun_seen *= guests_shadow(shadowed, day.to_sun);
+            }
+#endif
+#if landscape.trees
+            if sun_seen > 0.0 && bounce < LANDSCAPE_WOODED {
                 sun_seen *= trees_shadow(shadowed, footprint, day);
             }
             if leafy {
@@ -190,6 +209,30 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #endif
     }
     return Traced(radiance, distance);
+}
+
+/// The light that falls on a thing of a host's own at `position` (m), seen from `distance` (m) away: the sun, as far as land,
+/// trees and clouds leave it, and the sky. What the host's things keep from each other is the host's.
+fn scene_daylight(position: vec3f, distance: f32) -> Daylight {
+    var day = weather_daylight(position);
+    let footprint = terrain_footprint(distance);
+    var seen = weather_sun_seen(position, day);
+    if seen > 0.0 {
+        seen *= terrain_shadow(position, day.to_sun, footprint, day);
+    }
+#if landscape.trees
+    if seen > 0.0 {
+        seen *= trees_shadow(position, footprint, day);
+    }
+#endif
+    day.sun *= seen;
+    return day;
+}
+
+/// Air and clouds between `origin` (m) and what a host draws `distance` (m) away in the unit `direction`; `sky_through` has a
+/// radiance seen through them.
+fn scene_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
+    return weather_air(origin, direction, distance, 0.5, weather_daylight(origin + distance * direction));
 }
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.

@@ -8,6 +8,7 @@
 #include <frame.wgsl>
 #include <geometry/globe.wgsl>
 #include <geometry/ray.wgsl>
+#include <light/daylight.wgsl>
 #include <light/outdoor.wgsl>
 #include <march/globe.wgsl> as globe with above = planet_above
 #include <noise/interleaved_gradient.wgsl>
@@ -16,6 +17,7 @@
 #include <planet/material.wgsl>
 #include <quality.wgsl>
 #include <scene/weather.wgsl>
+#include <sky/air.wgsl>
 #include <sky/sky.wgsl>
 
 /// Whether there is a sea.
@@ -52,21 +54,37 @@ struct Traced {
 // Steps few enough for software GPUs, which end all loops of eight pixels after 65,535 turns in total: a step takes up to
 // some forty octaves on each of the planes that count.
 #if quality == low
-const GROUND_STEPS: i32 = 45;
-const GROUND_GROWTH: f32 = 0.06;
-const SHADOW_LOOKS: i32 = 6;
+const GROUND_STEPS: i32 = 30;
+const GROUND_GROWTH: f32 = 0.08;
+const GROUND_REFINEMENTS: i32 = 4;
+const GROUND_DETAIL: f32 = 2.0; // width of the smallest detail looked at, in pixels
+const SHADOW_LOOKS: i32 = 4;
+const SHELL_SHADE: f32 = 16.0; // how much coarser the clouds are that throw shadows than those that are seen
+const SEA_MIRRORS: f32 = 3000.0; // height (m) of the eye up to which the sea mirrors more than the mean of the sky
 #elif quality == medium
 const GROUND_STEPS: i32 = 70;
 const GROUND_GROWTH: f32 = 0.04;
+const GROUND_REFINEMENTS: i32 = 8;
+const GROUND_DETAIL: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 9;
+const SHELL_SHADE: f32 = 1.0;
+const SEA_MIRRORS: f32 = RAY_FAR;
 #elif quality == high
 const GROUND_STEPS: i32 = 110;
 const GROUND_GROWTH: f32 = 0.025;
+const GROUND_REFINEMENTS: i32 = 8;
+const GROUND_DETAIL: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 12;
+const SHELL_SHADE: f32 = 1.0;
+const SEA_MIRRORS: f32 = RAY_FAR;
 #else
 const GROUND_STEPS: i32 = 140;
 const GROUND_GROWTH: f32 = 0.015;
+const GROUND_REFINEMENTS: i32 = 8;
+const GROUND_DETAIL: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 16;
+const SHELL_SHADE: f32 = 1.0;
+const SEA_MIRRORS: f32 = RAY_FAR;
 #endif
 const GROUND_RELAX: f32 = 0.7;
 
@@ -83,8 +101,8 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 /// As `scene_trace`; `jitter` is where in their first steps the marches through clouds begin, 0 .. 1: another one for each
 /// pixel turns bands into fine noise.
 fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
-    let pixel = camera_pixel_angle();
-    let steps = globe_Steps(0.2, GROUND_GROWTH, GROUND_RELAX, GROUND_STEPS, 8, pixel);
+    let pixel = GROUND_DETAIL * camera_pixel_angle();
+    let steps = globe_Steps(0.2, GROUND_GROWTH, GROUND_RELAX, GROUND_STEPS, GROUND_REFINEMENTS, pixel);
     var far = RAY_FAR;
 #if planet.water
     let sea = globe_span(origin, direction, sky.ground_radius, water.level);
@@ -175,7 +193,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         }
         let slant = max(abs(dot(direction, planet_up(start_at))), 0.02);
         let seen = pixel * select(cloud_way, way, i == 2) * inverseSqrt(slant) / sky.ground_radius;
-        thick[i] = shell_at(axes * planet_up(start_at + ahead * to_key), seen);
+        thick[i] = shell_at(axes * planet_up(start_at + ahead * to_key), select(SHELL_SHADE, 1.0, i == 0) * seen);
     }
 #endif
 
@@ -229,6 +247,10 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             distance = RAY_FAR;
         }
         let day = weather_daylight(place);
+        if i == PLANET_MIRRORED && planet_altitude(origin) > SEA_MIRRORS {
+            radiance += passed * day.sky / 3.14159265;
+            break;
+        }
         let here = planet_up(place);
         let compass = globe_frame(here);
         let local_sun = day.to_sun * compass;
@@ -298,9 +320,50 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     return Traced(radiance, way);
 }
 
+/// The light that falls on a thing of a host's own at `position` (m), seen from `distance` (m) away: the sun, as far as the
+/// ground, trees and clouds leave it, and the sky. What the host's things keep from each other is the host's.
+fn scene_daylight(position: vec3f, distance: f32) -> Daylight {
+    var day = weather_daylight(position);
+    let footprint = camera_pixel_angle() * distance;
+    let up = planet_up(position);
+    let climb = dot(up, day.to_sun);
+    var seen = weather_sun_seen(position, day);
+#if planet.clouds
+    let below = shell.height - planet_altitude(position);
+    if below > 0.0 {
+        let pierced = planet_axes() * planet_up(position + below / max(climb, 0.08) * day.to_sun);
+        seen *= shell_transmittance(shell_depth(shell_at(pierced, footprint / sky.ground_radius)));
+    }
+#endif
+#if planet.shadows
+    let start = max(footprint, 1.0);
+    let reach = min(planet_ceiling() / max(climb, 0.04), 200000.0);
+    if seen > 0.0 && climb > -0.1 && reach > start {
+        seen *= globe_shadow(position, day.to_sun, max(day.radius, 0.004), start, reach, footprint, SHADOW_LOOKS);
+    }
+#endif
+#if planet.trees
+    if seen > 0.0 {
+        seen *= trees_shadow(position, footprint, day);
+    }
+#endif
+    day.sun *= seen;
+    return day;
+}
+
+/// Air and clouds between `origin` (m) and what a host draws `distance` (m) away in the unit `direction`; `sky_through` has a
+/// radiance seen through them.
+fn scene_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
+    return weather_air(origin, direction, distance, 0.5, weather_daylight(origin + distance * direction));
+}
+
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
 fn main_image(frag_coord: vec2f) -> vec4f {
-    let under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), 0.0).height;
+    // Counted from sea level and above all mountains, the camera does not need to know the ground.
+    var under = 0.0;
+    if camera.above_ground || camera.position.y < planet_ceiling() + camera.clearance {
+        under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), 0.0).height;
+    }
     let ray = camera_ray(frag_coord, under);
     let jitter = interleaved_gradient_noise(frag_coord, frame.index);
     let seen = planet_trace(ray.origin, ray.direction, jitter);

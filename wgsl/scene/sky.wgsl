@@ -4,6 +4,7 @@
 #include <camera/display.wgsl>
 #include <frame.wgsl>
 #include <geometry/ray.wgsl>
+#include <light/daylight.wgsl>
 #include <noise/interleaved_gradient.wgsl>
 #include <scene/weather.wgsl>
 #include <sky/air.wgsl>
@@ -26,6 +27,20 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 fn sky_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     let air = weather_air(origin, direction, RAY_FAR, jitter, weather_daylight(origin));
     return Traced(sky_through(air, sky_beyond(direction)), RAY_FAR);
+}
+
+/// The light that falls on a thing of a host's own at `position` (m), seen from `distance` (m) away: the sun, as far as
+/// clouds leave it, and the sky.
+fn scene_daylight(position: vec3f, distance: f32) -> Daylight {
+    var day = weather_daylight(position);
+    day.sun *= weather_sun_seen(position, day);
+    return day;
+}
+
+/// Air and clouds between `origin` (m) and what a host draws `distance` (m) away in the unit `direction`; `sky_through` has a
+/// radiance seen through them.
+fn scene_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
+    return weather_air(origin, direction, distance, 0.5, weather_daylight(origin + distance * direction));
 }
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1. Heights are counted from sea level.

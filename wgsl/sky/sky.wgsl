@@ -12,7 +12,7 @@
 #if sky.model == gradient
 #include <sky/gradient.wgsl>
 #elif sky.model == atmosphere
-#include <sky/atmosphere.wgsl>
+#include <sky/scattering.wgsl>
 #else
 #include <sky/planar.wgsl>
 #endif

@@ -79,3 +79,8 @@ fn dunes_height_grad(p: vec2f, octaves: f32) -> vec3f {
 fn dunes_ceiling() -> f32 {
     return dunes.crest_height * (1.0 + 0.15 + 0.8 * 1.75);
 }
+
+/// A height (m) that the sand nowhere falls below.
+fn dunes_floor() -> f32 {
+    return -dunes.crest_height * 0.8 * 1.75;
+}

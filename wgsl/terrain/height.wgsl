@@ -64,3 +64,16 @@ fn terrain_ceiling() -> f32 {
     return mountains_ceiling();
 #endif
 }
+
+#if terrain.relief != planet
+/// A height (m) that the land nowhere falls below. (A planet's land falls away from the plane without end.)
+fn terrain_floor() -> f32 {
+#if terrain.relief == dunes
+    return dunes_floor();
+#elif terrain.relief == terraces
+    return terraces_floor();
+#else
+    return mountains_bounds().x;
+#endif
+}
+#endif

@@ -6,6 +6,7 @@
 #include <fractal/fbm.wgsl> as relief with noise2 = terrain_noise
 #include <fractal/jets.wgsl> as smooth with noise2 = terrain_noise_jet
 #include <math/jet.wgsl>
+#include <quality.wgsl>
 #include <terrain/basis.wgsl>
 #include <terrain/height.wgsl>
 #if terrain.relief == ridged
@@ -67,6 +68,13 @@ const WIDE_PLACE: vec2f = vec2f(3.7, 9.2);
 const WIDE_SEED: u32 = 101u;
 const WIDE_GAIN: f32 = 0.4;
 const WIDE_LACUNARITY: f32 = 2.0;
+
+// Generations of gullies.
+#if quality == low
+const GULLIES: f32 = 3.0;
+#else
+const GULLIES: f32 = 5.0;
+#endif
 
 /// Forms of the relief at `q` (in widths of the largest ones): (0 .. about 1, slope per width).
 fn mountains_forms(q: vec2f, octaves: f32) -> vec3f {
@@ -185,7 +193,7 @@ fn mountains_wide(p: vec2f) -> Jet2 {
 #if terrain.eroded
 /// What water has done to the land `lie` at `p`: (change in m, slope).
 fn mountains_erosion(p: vec2f, lie: Jet2, octaves: f32) -> vec3f {
-    let generations = min(5.0, octaves - log2(terrain.scale / terrain.gully_width) + 1.0);
+    let generations = min(GULLIES, octaves - log2(terrain.scale / terrain.gully_width) + 1.0);
     let how = Erosion(
         terrain.gully_width,
         0.5 * terrain.gully_depth,
@@ -203,8 +211,8 @@ fn mountains_erosion(p: vec2f, lie: Jet2, octaves: f32) -> vec3f {
 }
 #endif
 
-/// A height (m) that the mountains nowhere exceed.
-fn mountains_ceiling() -> f32 {
+/// The lowest and the highest height (m) that the mountains can have.
+fn mountains_bounds() -> vec2f {
 #if terrain.rough
     let octaves = terrain.forms;
     let rough = terrain.detail * relief_fbm_bound(16.0, 0.58);
@@ -213,20 +221,26 @@ fn mountains_ceiling() -> f32 {
     let rough = 0.0;
 #endif
 #if terrain.relief == ridged
-    let forms = ranges_ridged_bound(octaves, terrain.gain).y;
+    let forms = ranges_ridged_bound(octaves, terrain.gain);
 #elif terrain.relief == hybrid
-    let forms = 0.4 * worn_hybrid_bound(octaves, terrain.gain, 0.7).y;
+    let forms = 0.4 * worn_hybrid_bound(octaves, terrain.gain, 0.7);
 #elif terrain.relief == billow
-    let forms = mounds_billow_bound(octaves, terrain.gain).y;
+    let forms = mounds_billow_bound(octaves, terrain.gain);
 #else
-    let forms = 0.5 + 0.5 * relief_fbm_bound(octaves, terrain.gain);
+    let forms = vec2f(0.5) + vec2f(-0.5, 0.5) * relief_fbm_bound(octaves, terrain.gain);
 #endif
-    var ceiling = terrain.peak_height * forms + rough;
+    // On the plains of a wide map less is left of the forms, down to nothing.
+    var bounds = vec2f(min(terrain.peak_height * forms.x, 0.0) - rough, terrain.peak_height * forms.y + rough);
 #if terrain.dual
-    ceiling += 1.2 * terrain.uplift;
+    bounds += vec2f(-0.2, 1.2) * terrain.uplift;
 #endif
 #if terrain.eroded
-    ceiling += 0.5 * terrain.gully_depth;
+    bounds += vec2f(-0.5, 0.5) * terrain.gully_depth;
 #endif
-    return ceiling;
+    return bounds;
+}
+
+/// A height (m) that the mountains nowhere exceed.
+fn mountains_ceiling() -> f32 {
+    return mountains_bounds().y;
 }

@@ -13,7 +13,7 @@
 #include <march/heightfield_bounded.wgsl> as land with octave = sum_octave, octave_bounds = sum_octave_bounds, ruggedness = sum_ruggedness
 #include <terrain/sum.wgsl>
 #else
-#include <march/heightfield_adaptive.wgsl> as land with height = terrain_height_filtered
+#include <march/heightfield_adaptive.wgsl> as land with height = terrain_height_marched
 #endif
 
 /// How far away land is still looked for.
@@ -26,43 +26,66 @@
 #param terrain.hollow: f32 = 250.0, range 0.1 .. 10000, unit m
 
 #if quality == low
-const LAND_STEPS: i32 = 64;
-const LAND_RELAX: f32 = 0.75;
-const LAND_GROWTH: f32 = 0.012;
-const LAND_SHADOW_STEPS: i32 = 10;
+const LAND_STEPS: i32 = 80;
+const LAND_HALVINGS: i32 = 3; // of the last step, to find the ground in it
+const LAND_RELAX: f32 = 0.9;
+const LAND_GROWTH: f32 = 0.03;
+const LAND_SHADOW_STEPS: i32 = 6;
 const LAND_DETAIL: f32 = 3.0; // width of the smallest detail looked at, in pixels
+const LAND_BLUR: f32 = 2.0; // how much coarser the land may be while a ray looks for it
+const LAND_MIRRORED: f32 = 2.0; // by how much a mirrored ray takes fewer and longer steps
 #elif quality == medium
 const LAND_STEPS: i32 = 150;
+const LAND_HALVINGS: i32 = 8;
 const LAND_RELAX: f32 = 0.5;
 const LAND_GROWTH: f32 = 0.003;
 const LAND_SHADOW_STEPS: i32 = 28;
 const LAND_DETAIL: f32 = 1.5;
+const LAND_BLUR: f32 = 1.0;
+const LAND_MIRRORED: f32 = 1.0;
 #elif quality == high
 const LAND_STEPS: i32 = 320;
+const LAND_HALVINGS: i32 = 8;
 const LAND_RELAX: f32 = 0.35;
 const LAND_GROWTH: f32 = 0.0010;
 const LAND_SHADOW_STEPS: i32 = 48;
 const LAND_DETAIL: f32 = 1.0;
+const LAND_BLUR: f32 = 1.0;
+const LAND_MIRRORED: f32 = 1.0;
 #else
 const LAND_STEPS: i32 = 500;
+const LAND_HALVINGS: i32 = 8;
 const LAND_RELAX: f32 = 0.28;
 const LAND_GROWTH: f32 = 0.0005;
 const LAND_SHADOW_STEPS: i32 = 96;
 const LAND_DETAIL: f32 = 0.7;
+const LAND_BLUR: f32 = 1.0;
+const LAND_MIRRORED: f32 = 1.0;
 #endif
+
+/// Height of the land (m) as a march looks at it.
+fn terrain_height_marched(p: vec2f, footprint: f32) -> f32 {
+    return terrain_height_filtered(p, LAND_BLUR * footprint);
+}
 
 /// Where a ray meets the land.
 fn terrain_trace(origin: vec3f, direction: vec3f) -> MarchHit {
+    return terrain_trace_in(origin, direction, 1.0);
+}
+
+/// As `terrain_trace`, in steps `haste` (1 or more) times as long, and as many times fewer.
+fn terrain_trace_in(origin: vec3f, direction: vec3f, haste: f32) -> MarchHit {
+    let most = i32(f32(LAND_STEPS) / haste);
     let pixel_angle = LAND_DETAIL * camera_pixel_angle();
 #if terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
     // The wide map's octaves are counted as if the land's own went on toward the coarse.
     let coarsest = terrain.scale * pow(terrain.lacunarity, f32(WIDE_OCTAVES));
     let octaves = terrain.octaves + f32(WIDE_OCTAVES);
     let plain = select(i32(ceil(octaves)), WIDE_OCTAVES, WIDE_OCTAVES > 0);
-    let how = land_Bounded(octaves, plain, coarsest, terrain.lacunarity, pixel_angle, 0.01, 4 * LAND_STEPS);
+    let how = land_Bounded(octaves, plain, coarsest, terrain.lacunarity, pixel_angle, 0.01, 4 * most);
     return land_march(origin - vec3f(0.0, sum_base(), 0.0), direction, 0.0, terrain.far, how);
 #else
-    let how = land_Adaptive(0.05, LAND_GROWTH, LAND_RELAX, LAND_STEPS, 8, pixel_angle);
+    let how = land_Adaptive(0.05, haste * LAND_GROWTH, haste * LAND_RELAX, most, LAND_HALVINGS, pixel_angle);
     return land_march(origin, direction, terrain_ceiling(), terrain.far, how);
 #endif
 }

@@ -72,3 +72,8 @@ fn terraces_height_grad(p: vec2f, octaves: f32) -> vec3f {
 fn terraces_ceiling() -> f32 {
     return terraces.depth * 1.03;
 }
+
+/// A height (m) that the land nowhere falls below.
+fn terraces_floor() -> f32 {
+    return terraces.depth * -0.03;
+}

@@ -23,42 +23,63 @@
 #param trees.bark: vec3f = (0.11, 0.085, 0.065), color
 
 #if quality == low
-const TREE_STEPS: i32 = 500; // cells looked at along a ray
-const TREE_CROWNS: i32 = 10; // crowns marched through
-const TREE_MARCH: i32 = 18; // steps in each
-const TREE_STRIDE: f32 = 0.75; // part of the crown's field that a step covers
+const TREE_LEAST: f32 = 6.0; // pixels that the tallest trees stand up to where trees are drawn one by one
+const TREE_DETAIL: f32 = 2.5; // width of the smallest detail looked at, in pixels
+const TREE_STEPS: i32 = 250; // cells looked at along a ray
+const TREE_CROWNS: i32 = 6; // crowns marched through
+const TREE_MARCH: i32 = 10; // steps in each
+const TREE_STRIDE: f32 = 0.9; // part of the crown's field that a step covers
 const TREE_CLIMB: f32 = 0.6; // steepest ground that trees are looked for behind
-const TREE_SHADOW_STEPS: i32 = 80;
-const TREE_SHADES: i32 = 10; // crowns looked through to the sun
-const TREE_LOOKS: i32 = 2; // looks at each
+const TREE_STEEPENING: f32 = 0.2; // by how much it may be steeper than here
+const TREE_PROBES: i32 = 24; // cells from one look at the ground to the next
+const TREE_SHADOW_STEPS: i32 = 30;
+const TREE_SHADES: i32 = 4; // crowns looked through to the sun
+const TREE_LOOKS: i32 = 1; // looks at each
 #elif quality == medium
+const TREE_LEAST: f32 = 0.0;
+const TREE_DETAIL: f32 = 1.0;
 const TREE_STEPS: i32 = 1000;
 const TREE_CROWNS: i32 = 16;
 const TREE_MARCH: i32 = 28;
 const TREE_STRIDE: f32 = 0.65;
 const TREE_CLIMB: f32 = 0.8;
+const TREE_STEEPENING: f32 = 9.0;
+const TREE_PROBES: i32 = 12;
 const TREE_SHADOW_STEPS: i32 = 120;
 const TREE_SHADES: i32 = 16;
 const TREE_LOOKS: i32 = 3;
 #elif quality == high
+const TREE_LEAST: f32 = 0.0;
+const TREE_DETAIL: f32 = 1.0;
 const TREE_STEPS: i32 = 1600;
 const TREE_CROWNS: i32 = 24;
 const TREE_MARCH: i32 = 44;
 const TREE_STRIDE: f32 = 0.5;
 const TREE_CLIMB: f32 = 1.0;
+const TREE_STEEPENING: f32 = 9.0;
+const TREE_PROBES: i32 = 12;
 const TREE_SHADOW_STEPS: i32 = 160;
 const TREE_SHADES: i32 = 24;
 const TREE_LOOKS: i32 = 4;
 #else
+const TREE_LEAST: f32 = 0.0;
+const TREE_DETAIL: f32 = 1.0;
 const TREE_STEPS: i32 = 3000;
 const TREE_CROWNS: i32 = 40;
 const TREE_MARCH: i32 = 90;
 const TREE_STRIDE: f32 = 0.35;
 const TREE_CLIMB: f32 = 1.5;
+const TREE_STEEPENING: f32 = 9.0;
+const TREE_PROBES: i32 = 12;
 const TREE_SHADOW_STEPS: i32 = 300;
 const TREE_SHADES: i32 = 40;
 const TREE_LOOKS: i32 = 8;
 #endif
+
+/// How far away (m) trees are drawn one by one.
+fn trees_end() -> f32 {
+    return min(trees.far, trees.tallest / max(TREE_LEAST * camera_pixel_angle(), 1e-9));
+}
 
 /// What a ray met.
 struct TreeHit {
@@ -93,6 +114,9 @@ struct TreeWalk {
     step: i32,
     // Cells passed since the ground was last looked at.
     unprobed: i32,
+    // Where the ground was looked at last; its height there and its slope.
+    looked: vec2f,
+    land: vec3f,
     // Normal of the ground under the tree found.
     ground: vec3f,
     steps: i32,
@@ -121,6 +145,7 @@ fn trees_walk(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeWalk 
     walk.lane = 1;
     walk.last_lane = 0;
     walk.unprobed = 1000;
+    walk.looked = vec2f(1e9);
     walk.ground = vec3f(0.0, 1.0, 0.0);
     // The first call of `trees_next` goes one row on.
     walk.row -= walk.step;
@@ -169,38 +194,55 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Tr
     let level = sqrt(level2);
     let descent = -direction.y / level;
     for (var i = 0; i < patience; i++) {
-        if (*walk).steps >= patience {
-            break;
-        }
-        (*walk).steps += 1;
-        if (*walk).lane > (*walk).last_lane {
-            if (*walk).far <= (*walk).near || ((*walk).last_row - (*walk).row) * (*walk).step <= 0 {
+        // On to a cell that is worth a look at the ground. A loop of its own: where pixels are drawn together, they look
+        // together.
+        var tree: Tree;
+        var nearest = 0.0;
+        var offset = 0.0;
+        var candidate = false;
+        var probe = false;
+        for (var j = 0; j < patience && !candidate && !probe; j++) {
+            if (*walk).steps >= patience {
                 break;
             }
-            (*walk).row += (*walk).step;
-            trees_lanes(walk);
-        }
-        var cell = vec2i((*walk).lane, (*walk).row);
-        if (*walk).eastward {
-            cell = cell.yx;
-        }
-        (*walk).lane += 1;
-        (*walk).unprobed += 1;
-        var tree = tree_in_cell(cell);
+            (*walk).steps += 1;
+            if (*walk).lane > (*walk).last_lane {
+                if (*walk).far <= (*walk).near || ((*walk).last_row - (*walk).row) * (*walk).step <= 0 {
+                    break;
+                }
+                (*walk).row += (*walk).step;
+                trees_lanes(walk);
+            }
+            var cell = vec2i((*walk).lane, (*walk).row);
+            if (*walk).eastward {
+                cell = cell.yx;
+            }
+            (*walk).lane += 1;
+            (*walk).unprobed += 1;
+            tree = tree_in_cell(cell);
 
-        let to_tree = tree.foot.xz - origin.xz;
-        let nearest = clamp(dot(to_tree, direction.xz) / level2, (*walk).near, (*walk).far);
-        let offset = length(to_tree - nearest * direction.xz);
-        var candidate = offset < tree.radius;
-        if candidate && thinning > 0.0 {
-            candidate = nearest < thinning * (1.0 + 0.5 * unit_float(pcg(tree.id)));
+            let to_tree = tree.foot.xz - origin.xz;
+            nearest = clamp(dot(to_tree, direction.xz) / level2, (*walk).near, (*walk).far);
+            offset = length(to_tree - nearest * direction.xz);
+            candidate = offset < tree.radius;
+            if candidate && thinning > 0.0 {
+                candidate = nearest < thinning * (1.0 + 0.5 * unit_float(pcg(tree.id)));
+            }
+            // From what the ground was like a few cells ago it may be seen that the ray passes above.
+            let off = tree.foot.xz - (*walk).looked;
+            let top = (*walk).land.x + dot((*walk).land.yz, off) + TREE_STEEPENING * length(off) + tree.height;
+            candidate = candidate && origin.y + nearest * direction.y - abs(descent) * tree.radius < top;
+            probe = !candidate && (*walk).unprobed > TREE_PROBES;
+        }
+        if !candidate && !probe {
+            break;
         }
         var depth = 0.0;
         if candidate {
             depth = woods_depth(tree.foot.xz);
             candidate = tree.chance < woods_density(depth);
+            probe = !candidate && (*walk).unprobed > TREE_PROBES;
         }
-        let probe = !candidate && (*walk).unprobed > 12;
         if !candidate && !probe {
             continue;
         }
@@ -218,6 +260,8 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Tr
         (*walk).unprobed = 0;
 
         let land = terrain_height_grad_filtered(tree.foot.xz, trees.spacing);
+        (*walk).looked = tree.foot.xz;
+        (*walk).land = land;
         if candidate && low <= land.x + tree.height && high >= land.x - TREE_ROOT {
             tree.foot.y = land.x;
             let normal = normalize(vec3f(-land.y, 1.0, -land.z));
@@ -233,7 +277,8 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Tr
         let clear = low - land.x - trees.tallest;
         if clear > trees.spacing {
             // High above the trees: as far on as the ground would need to rise to here.
-            let closing = TREE_CLIMB + descent;
+            let rise = dot(land.yz, direction.xz) / level;
+            let closing = min(TREE_CLIMB, max(rise, 0.0) + TREE_STEEPENING) + descent;
             if closing <= 0.0 {
                 break;
             }
@@ -258,13 +303,13 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Tr
 /// Trees narrower than a pixel or two, from two thirds of `trees.far` on, are left out one by one. Details are
 /// filtered to the pixel. A ray that starts inside of a crown meets it at once.
 fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit {
-    var walk = trees_walk(origin, direction, near, min(far, trees.far));
-    let pixel_angle = camera_pixel_angle();
+    var walk = trees_walk(origin, direction, near, min(far, trees_end()));
+    let pixel_angle = TREE_DETAIL * camera_pixel_angle();
     var result: TreeHit;
     result.distance = far;
     var marched = 0;
     for (var i = 0; i < TREE_CROWNS; i++) {
-        let met = trees_next(&walk, TREE_STEPS, 0.667 * trees.far);
+        let met = trees_next(&walk, TREE_STEPS, 0.667 * trees_end());
         if !met.found {
             break;
         }
@@ -334,7 +379,7 @@ fn trees_trace(origin: vec3f, direction: vec3f, near: f32, far: f32) -> TreeHit 
 /// them, blurred by the sun's width the farther off the more. Beyond where single trees are drawn: 1.
 fn trees_shadow(position: vec3f, footprint: f32, day: Daylight) -> f32 {
     let to_sun = day.to_sun;
-    let drawn = trees.far * camera_pixel_angle();
+    let drawn = trees_end() * camera_pixel_angle();
     let fade = 1.0 - smoothstep(0.5 * drawn, drawn, footprint);
     if to_sun.y <= 0.0 || fade <= 0.0 {
         return 1.0;
@@ -392,7 +437,7 @@ fn trees_shade(origin: vec3f, direction: vec3f, hit: TreeHit, day: Daylight, sun
     let tree = hit.tree;
     let q = position - tree.foot;
     let to_sun = day.to_sun;
-    let footprint = hit.distance * camera_pixel_angle();
+    let footprint = TREE_DETAIL * hit.distance * camera_pixel_angle();
     let up = clamp(q.y / tree.height, 0.0, 1.0);
     let dice = unit_float3(pcg3d(vec3u(tree.id, 11u, 13u)));
     if hit.bark {

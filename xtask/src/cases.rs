@@ -28,9 +28,9 @@ pub(crate) struct Case {
 }
 
 /// The three bakings: every parameter a constant, an override, or a field of the uniform buffer.
-const CONST: (&str, &[&str]) = ("const", &[]);
+pub(crate) const CONST: (&str, &[&str]) = ("const", &[]);
 const OVERRIDE: (&str, &[&str]) = ("override", &["--overrides", "*"]);
-const UNIFORM: (&str, &[&str]) = ("uniform", &["--live", "*"]);
+pub(crate) const UNIFORM: (&str, &[&str]) = ("uniform", &["--live", "*"]);
 
 /// Everything that is judged of one preset.
 pub(crate) fn of_preset(preset: &str) -> Vec<Case> {
@@ -51,6 +51,16 @@ pub(crate) fn of_preset(preset: &str) -> Vec<Case> {
         cases.push(case(Judge::SpirvVal, &format!("{baking}.spv"), &[&["--target", "spirv"], flags]));
     }
     cases.push(case(Judge::GlslangInShadertoy, "shadertoy.frag", &[&["--target", "shadertoy"]]));
+    const MINIFY: &[&str] = &["--minify"];
+    for (baking, flags) in [CONST, OVERRIDE, UNIFORM] {
+        cases.push(case(Judge::Tint, &format!("minified.{baking}.wgsl"), &[MINIFY, flags]));
+    }
+    cases.push(case(Judge::Glslang, "minified.frag", &[MINIFY, &["--target", "glsl"]]));
+    cases.push(case(
+        Judge::GlslangInShadertoy,
+        "minified.shadertoy.frag",
+        &[MINIFY, &["--target", "shadertoy"]],
+    ));
     cases
 }
 
@@ -138,10 +148,10 @@ mod tests {
     fn a_preset_is_judged_in_every_baking_and_both_stages() {
         let cases = of_preset("alpine");
         let count = |judge| cases.iter().filter(|case| case.judge == judge).count();
-        assert_eq!(count(Judge::Tint), 6);
+        assert_eq!(count(Judge::Tint), 9, "two stages and minified, in three bakings");
         assert_eq!(
             (count(Judge::Glslang), count(Judge::SpirvVal), count(Judge::GlslangInShadertoy)),
-            (2, 2, 1)
+            (3, 2, 2)
         );
         let live = cases
             .iter()

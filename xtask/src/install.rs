@@ -1,4 +1,5 @@
-//! What the machine lacks, and how it gets here: through the system's own package manager, or npm for Tint.
+//! What the machine lacks, and how it gets here: through the system's own package manager, or npm for Tint and what drives the
+//! browser.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -49,6 +50,19 @@ const NODE: Package = Package {
     pacman: &["nodejs", "npm"],
 };
 
+const CHROMIUM: Package =
+    Package { name: "Chromium", apt: &["chromium"], dnf: &["chromium"], pacman: &["chromium"] };
+const MESA_GL: Package = Package {
+    name: "Mesa's software GL, for WebGL in Chromium",
+    apt: &["libegl1", "libegl-mesa0", "libgl1-mesa-dri"],
+    dnf: &["mesa-libEGL", "mesa-dri-drivers"],
+    pacman: &["mesa"],
+};
+
+/// What distributions and Google call Chromium's program.
+const BROWSERS: [&str; 5] =
+    ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"];
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Manager {
     Apt,
@@ -76,7 +90,7 @@ pub(crate) fn driver(install: Install) -> Outcome {
     lavapipe(install)
 }
 
-/// Sees to it that glslang, SPIRV-Tools and Tint are here.
+/// Sees to it that glslang, SPIRV-Tools, Tint, and a browser with a GL to draw with are here.
 pub(crate) fn judges(install: Install) -> Outcome {
     let wanted =
         [("glslangValidator", &GLSLANG), ("spirv-val", &SPIRV_TOOLS), ("node", &NODE), ("npm", &NODE)];
@@ -86,6 +100,12 @@ pub(crate) fn judges(install: Install) -> Outcome {
             missing.push(package);
         }
     }
+    if browser().is_none() {
+        missing.push(&CHROMIUM);
+    }
+    if cfg!(target_os = "linux") && !has_egl() {
+        missing.push(&MESA_GL);
+    }
     packages(&missing, install)?;
     for (program, package) in wanted {
         if find(program).is_none() {
@@ -93,7 +113,20 @@ pub(crate) fn judges(install: Install) -> Outcome {
             return Err(Failure::Missing { what: package.name.to_owned(), remedy });
         }
     }
-    tint(install)
+    if browser().is_none() {
+        let remedy = format!(
+            "its package was installed, but brought none of {} into PATH: set CHROMIUM to where it is",
+            BROWSERS.join(", ")
+        );
+        return Err(Failure::Missing { what: CHROMIUM.name.to_owned(), remedy });
+    }
+    from_npm(install)
+}
+
+/// The browser that judges: the one that the person names in CHROMIUM, else one in PATH.
+pub(crate) fn browser() -> Option<PathBuf> {
+    let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
+    named.or_else(|| BROWSERS.iter().find_map(|program| find(program)))
 }
 
 /// Sees to it that cargo has its formatter and its linter, which rustup's smallest profile leaves out.
@@ -110,8 +143,10 @@ pub(crate) fn formatter_and_linter(install: Install) -> Outcome {
     run(&mut rustup)
 }
 
-/// Installs Tint as the lock file has it. Its packages' scripts stay blocked: Dawn comes ready built.
-fn tint(install: Install) -> Outcome {
+/// Installs Tint and what drives the browser as the lock file has them. Their packages' scripts stay blocked: Dawn comes ready
+/// built, and playwright-core would fetch browsers of its own.
+fn from_npm(install: Install) -> Outcome {
+    const WHAT: &str = "Tint (npm package `webgpu`) or what drives the browser (`playwright-core`)";
     let folder = root().join("tests/judges");
     let lock = read(&folder.join("package-lock.json"))?;
     // A copy of the lock file inside tells what was installed, and that it was installed to the end.
@@ -122,10 +157,10 @@ fn tint(install: Install) -> Outcome {
     let mut npm = command("npm", &["ci", "--ignore-scripts", "--no-audit", "--no-fund"]);
     npm.current_dir(&folder);
     if install == Install::Nothing {
-        let remedy = format!("this installs it: {}", shown(&npm));
-        return Err(Failure::Missing { what: "Tint (npm package `webgpu`)".to_owned(), remedy });
+        let remedy = format!("this installs both: {}", shown(&npm));
+        return Err(Failure::Missing { what: WHAT.to_owned(), remedy });
     }
-    println!("Tint (npm package `webgpu`) is missing or out of date: installing it");
+    println!("{WHAT} is missing or out of date: installing both");
     run(&mut npm)?;
     write(&installed, &lock)
 }
@@ -198,6 +233,17 @@ fn lavapipe_manifest() -> Option<PathBuf> {
     let names = [format!("lvp_icd.{}.json", std::env::consts::ARCH), "lvp_icd.json".to_owned()];
     let paths = folders.iter().flat_map(|folder| names.iter().map(move |name| Path::new(folder).join(name)));
     paths.into_iter().find(|path| path.is_file())
+}
+
+/// Whether there is an EGL with Mesa's software driver behind it. Loaders and drivers lie in the folder of shared libraries, which
+/// each distribution calls by another name.
+fn has_egl() -> bool {
+    let multiarch = format!("/usr/lib/{}-linux-gnu", std::env::consts::ARCH);
+    let lies_in = |folder: &str, name: &str| Path::new(folder).join(name).exists();
+    [multiarch.as_str(), "/usr/lib64", "/usr/lib"].iter().any(|folder| {
+        let driver = ["dri/swrast_dri.so", "dri/libdril_dri.so"].iter().any(|name| lies_in(folder, name));
+        driver && lies_in(folder, "libEGL.so.1") && lies_in(folder, "libEGL_mesa.so.0")
+    })
 }
 
 /// Where `program` lies in PATH.

@@ -1,11 +1,12 @@
 //! The judges: other people's compilers, on everything that `orogen` writes for its presets, views and modules.
 //!
-//! Tint reads the WGSL, glslangValidator the GLSL, spirv-val the SPIR-V. That naga finds a file good is not enough: it
-//! accepts WGSL that browsers refuse, and writes GLSL that is none.
+//! Tint reads the WGSL, glslangValidator the GLSL, spirv-val the SPIR-V; a browser draws them. That naga finds a file good is
+//! not enough: it accepts WGSL that browsers refuse, and writes GLSL that is none.
 
 use std::fs;
 use std::path::Path;
 
+use crate::browser;
 use crate::cases::{Case, Judge, of_module, of_preset, of_projection, of_view, seen_in};
 use crate::install::{self, Install};
 use crate::run::{
@@ -15,23 +16,31 @@ use crate::run::{
 /// What Shadertoy puts before a shader. Its names are taken: a shader that declares one does not compile there.
 const SHADERTOY_PAGE: &str = include_str!("shadertoy.frag");
 
-/// Gets the judges and `orogen`, then has everything judged.
-pub(crate) fn judge_alone(install: Install) -> Outcome {
+/// Gets the judges and `orogen`, then has everything judged, or only what is written for `presets`.
+pub(crate) fn judge_alone(install: Install, presets: &[String]) -> Outcome {
+    install::driver(install)?;
     install::judges(install)?;
     run(&mut cargo("build --release"))?;
-    judge()
+    judge(presets)
 }
 
-/// Has everything judged that the built `orogen` writes. Goes on after a complaint, so that all are heard at once.
-pub(crate) fn judge() -> Outcome {
+/// Has everything judged that the built `orogen` writes, or, where some `only` are named, those presets. Goes on after a
+/// complaint, so that all are heard at once.
+pub(crate) fn judge(only: &[String]) -> Outcome {
     let folder = target()?.join("judges");
     if folder.exists() {
         fs::remove_dir_all(&folder).map_err(|cause| Failure::File { path: folder.clone(), cause })?;
     }
-    let (presets, views, modules) = (list("presets")?, list("views")?, list("modules")?);
+    let (presets, views, modules) = if only.is_empty() {
+        (list("presets")?, list("views")?, list("modules")?)
+    } else {
+        (only.to_vec(), Vec::new(), Vec::new())
+    };
     let mut cases: Vec<Case> = presets.iter().flat_map(|preset| of_preset(preset)).collect();
     cases.extend(views.iter().flat_map(|view| of_view(view, seen_in(view))));
-    cases.extend(["equirectangular", "cube"].iter().flat_map(|projection| of_projection(projection, "lake")));
+    if only.is_empty() {
+        cases.extend(["equirectangular", "cube"].iter().flat_map(|around| of_projection(around, "lake")));
+    }
     for module in &modules {
         cases.push(of_module(module, &folder.join("hosts"))?);
     }
@@ -58,10 +67,12 @@ pub(crate) fn judge() -> Outcome {
     let others = cases.iter().filter(|case| case.judge != Judge::Tint).count();
     println!("glslang and spirv-val judged {others} GLSL and SPIR-V files");
     println!("all files lie in {}", judged.display());
+    let presets: Vec<&str> = presets.iter().map(String::as_str).collect();
+    refused.extend(browser::judge(&presets, &judged, &folder.join("pictures"))?);
     if refused.is_empty() {
         return Ok(());
     }
-    Err(Failure::Check(format!("not written, or refused by a judge: {}", refused.join(", "))))
+    Err(Failure::Check(format!("not written, or refused by a judge:\n  {}", refused.join("\n  "))))
 }
 
 /// The names that `orogen list WHAT` gives. There are always some.

@@ -9,11 +9,13 @@
 )]
 
 mod accuracy;
+mod browser;
 mod cases;
 mod demo;
 mod gallery;
 mod install;
 mod judges;
+mod pictures;
 mod run;
 mod test;
 
@@ -25,22 +27,24 @@ use run::Outcome;
 const HELP: &str = "\
 Orogen's chores
 
-usage: cargo xtask <demo|test|judge|accuracy|gallery [NAME…]> [--no-install]
+usage: cargo xtask <demo|test|judge [NAME…]|accuracy|gallery [NAME…]> [--no-install]
 
   demo      builds Orogen and makes out/alpine.wgsl (a shader to put into your own program),
             out/alpine.shadertoy.glsl (a shader to paste into Shadertoy) and out/alpine.png (its picture)
   test      everything that must hold before a change goes in: formatting, lints, the build without a GPU,
             all tests, the examples, the judges, the documentation
   judge     the judges alone: Tint, glslang and spirv-val on all that Orogen writes for its presets, views
-            and modules
+            and modules, and Chromium, which draws every preset: its picture must be that of `orogen render`.
+            With names, what is written for those presets only
   accuracy  measures the library and writes docs/accuracy.md: what each function promises, and what it keeps
   gallery   draws the built-in presets, or those named, into docs/gallery/ and writes docs/gallery.md
 
   --no-install   install nothing: say what is missing and how to get it, and stop
 
 Without --no-install a chore installs what it needs and the machine lacks, through the system's package
-manager, and says so: Mesa's software Vulkan driver (lavapipe), glslang, SPIRV-Tools, Node.js. Tint comes
-from npm into tests/judges/node_modules.
+manager, and says so: Mesa's software Vulkan driver (lavapipe) and GL, glslang, SPIRV-Tools, Chromium (CHROMIUM
+names another browser of its kind), Node.js. Tint and what drives the browser (playwright-core) come from npm into
+tests/judges/node_modules.
 
 Exit status: 0 all is well; 1 something failed, and the last lines say what; 2 wrong usage
 ";
@@ -50,7 +54,7 @@ Exit status: 0 all is well; 1 something failed, and the last lines say what; 2 w
 enum Chore {
     Demo(Install),
     Test(Install),
-    Judge(Install),
+    Judge(Install, Vec<String>),
     Accuracy(Install),
     Gallery(Install, Vec<String>),
     Help,
@@ -78,7 +82,7 @@ fn carry_out(chore: &Chore) -> Outcome {
     match chore {
         Chore::Demo(install) => demo::demo(*install),
         Chore::Test(install) => test::test(*install),
-        Chore::Judge(install) => judges::judge_alone(*install),
+        Chore::Judge(install, names) => judges::judge_alone(*install, names),
         Chore::Accuracy(install) => accuracy::accuracy(*install),
         Chore::Gallery(install, names) => gallery::gallery(*install, names),
         Chore::Help => {
@@ -100,15 +104,14 @@ fn parse(arguments: &[String]) -> Result<Chore, String> {
             name => names.push(name),
         }
     }
+    let owned = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
     match names.as_slice() {
         [] => Err("which chore?".to_owned()),
         ["demo"] => Ok(Chore::Demo(install)),
         ["test"] => Ok(Chore::Test(install)),
-        ["judge"] => Ok(Chore::Judge(install)),
+        ["judge", presets @ ..] => Ok(Chore::Judge(install, owned(presets))),
         ["accuracy"] => Ok(Chore::Accuracy(install)),
-        ["gallery", presets @ ..] => {
-            Ok(Chore::Gallery(install, presets.iter().map(|&name| name.to_owned()).collect()))
-        }
+        ["gallery", presets @ ..] => Ok(Chore::Gallery(install, owned(presets))),
         [name] => Err(format!("there is no chore `{name}`")),
         [_, second, ..] => Err(format!("one chore at a time: `{second}` is one too many")),
     }
@@ -127,16 +130,18 @@ mod tests {
     fn a_chore_installs_unless_told_not_to() {
         assert_eq!(parsed("demo"), Ok(Chore::Demo(Install::WhatIsMissing)));
         assert_eq!(parsed("test --no-install"), Ok(Chore::Test(Install::Nothing)));
-        assert_eq!(parsed("--no-install judge"), Ok(Chore::Judge(Install::Nothing)));
+        assert_eq!(parsed("--no-install judge"), Ok(Chore::Judge(Install::Nothing, Vec::new())));
         assert_eq!(parsed("accuracy"), Ok(Chore::Accuracy(Install::WhatIsMissing)));
     }
 
     #[test]
-    fn the_gallery_takes_names_and_nothing_else_does() {
+    fn the_gallery_and_the_judges_take_names_and_nothing_else_does() {
         let names = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect::<Vec<_>>();
         assert_eq!(parsed("gallery"), Ok(Chore::Gallery(Install::WhatIsMissing, names(&[]))));
         let two = Chore::Gallery(Install::Nothing, names(&["alpine", "dunes"]));
         assert_eq!(parsed("gallery alpine --no-install dunes"), Ok(two));
+        let one = Chore::Judge(Install::WhatIsMissing, names(&["earth"]));
+        assert_eq!(parsed("judge earth"), Ok(one));
         assert!(parsed("accuracy alpine").is_err());
     }
 

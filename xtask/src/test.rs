@@ -1,11 +1,16 @@
 //! `cargo xtask test`: everything that must hold before a change goes in. The first failure stops it.
 
+use std::collections::BTreeSet;
+
 use crate::install::{self, Install};
 use crate::judges;
-use crate::run::{Failure, Outcome, Steps, capture, cargo, run, shown};
+use crate::run::{Failure, Outcome, Steps, capture, cargo, run, shown, target};
 
-/// What must not be in the tree of a build without default features: a GPU stack and what only the command line needs.
-const ONLY_BY_FEATURE: [&str; 4] = ["wgpu", "clap", "image", "indicatif"];
+/// What must not be in the tree of a build without default features: a GPU stack, and what only the command line needs.
+const ONLY_BY_FEATURE: [&str; 5] = ["wgpu", "clap", "image", "indicatif", "notify"];
+
+/// How many crates a build without default features may have in all, Orogen itself and what macros are made of included.
+const MOST_CRATES: usize = 25;
 
 /// Runs all steps and sums them up, also after a failure.
 pub(crate) fn test(install: Install) -> Outcome {
@@ -23,14 +28,17 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
     })?;
     steps.step("lints", || run(&mut cargo("clippy --workspace --all-targets -- -D warnings")))?;
     steps.step("lints without default features", || {
-        run(&mut cargo("clippy -p orogen --no-default-features --lib -- -D warnings"))
+        run(&mut cargo("clippy -p orogen --no-default-features --lib -- -D warnings"))?;
+        run(&mut cargo("clippy -p orogen --no-default-features --features check --lib -- -D warnings"))
     })?;
-    steps.step("no GPU stack without default features", dependencies)?;
+    steps.step("few crates and no GPU stack without default features", dependencies)?;
     steps.step("what the tests need", || {
         install::driver(install)?;
         install::judges(install)
     })?;
-    let driver = install::driver_for_tests();
+    let mut driver: Vec<_> = install::driver_for_tests().into_iter().collect();
+    driver.extend(install::browser().map(|browser| ("CHROMIUM", browser)));
+    let driver = driver; // and the browser that the feature matrix is drawn with
     steps.step("tests", || {
         if capture(&mut cargo("nextest --version")).is_ok() {
             return run(cargo("nextest run --workspace --no-fail-fast").envs(driver.clone()));
@@ -42,27 +50,59 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
     steps.step("examples", || {
         run(&mut cargo("build --examples"))?;
         run(cargo("run --quiet --example standalone").envs(driver.clone()))?;
-        run(cargo("run --quiet --example host_shader").envs(driver.clone()))
+        run(cargo("run --quiet --example host_shader").envs(driver.clone()))?;
+        let shot = "run --quiet -p embed -- --size 96x54 --samples 1 --shot target/tmp/embed.png";
+        run(cargo(shot).envs(driver.clone()))
+    })?;
+    steps.step("a newcomer's crate", || {
+        let mut newcomer =
+            cargo("run --quiet --locked --manifest-path tests/newcomer/Cargo.toml --target-dir");
+        run(newcomer.arg(target()?).envs(driver.clone()))
     })?;
     steps.step("benchmarks build", || run(&mut cargo("bench --no-run")))?;
     steps.step("judges", || {
         run(&mut cargo("build --release"))?;
-        judges::judge()
+        judges::judge(&[])
     })?;
     steps.step("documentation", || run(cargo("doc --no-deps").env("RUSTDOCFLAGS", "-D warnings")))
 }
 
-/// Checks that nothing of `ONLY_BY_FEATURE` is in the tree without default features, on any platform.
+/// Checks that nothing of `ONLY_BY_FEATURE` is in the tree without default features, on any platform, nor with `check`
+/// alone; that the former is small; and that it has no naga.
 fn dependencies() -> Outcome {
-    let mut tree =
-        cargo("tree -p orogen --no-default-features -e normal --target all --prefix none --format {p}");
-    println!("$ {}", shown(&tree));
-    let found = unwanted(&capture(&mut tree)?);
-    if found.is_empty() {
-        println!("none of {}", ONLY_BY_FEATURE.join(", "));
-        return Ok(());
+    let tree = |features: &str, of: &str| {
+        let line = format!(
+            "tree -p orogen --no-default-features{features} -e normal{of} --prefix none --format {{p}}"
+        );
+        let mut tree = cargo(&line);
+        println!("$ {}", shown(&tree));
+        capture(&mut tree)
+    };
+    let everywhere = tree("", " --target all")?;
+    let mut found = unwanted(&everywhere);
+    found.extend(unwanted(&tree(" --features check", " --target all")?));
+    if crates(&everywhere).iter().any(|name| name.starts_with("naga ")) {
+        found.push("naga");
     }
-    Err(Failure::Check(format!("in the tree of `orogen` without default features: {}", found.join(", "))))
+    if !found.is_empty() {
+        let what = format!("in the tree of `orogen` without default features: {}", found.join(", "));
+        return Err(Failure::Check(what));
+    }
+    let here = tree("", "")?;
+    let count = crates(&here).len();
+    println!("{count} crates, and none of {}", ONLY_BY_FEATURE.join(", "));
+    if count > MOST_CRATES {
+        return Err(Failure::Check(format!(
+            "{count} crates without default features, and at most {MOST_CRATES} were promised"
+        )));
+    }
+    Ok(())
+}
+
+/// The packages in `tree`, one a line, each once: name and version.
+fn crates(tree: &str) -> BTreeSet<String> {
+    let name = |line: &str| line.split_whitespace().take(2).collect::<Vec<_>>().join(" ");
+    tree.lines().filter(|line| !line.trim().is_empty()).map(name).collect()
 }
 
 /// Which of `ONLY_BY_FEATURE` stand in `tree`, one package a line with its name first.
@@ -80,6 +120,7 @@ mod tests {
         let tree =
             "orogen v0.1.0 (/somewhere/image)\nimage-webp v0.2.0\nwgpu-types v30.0.0\nnaga v30.0.0 (*)\n";
         assert_eq!(unwanted(tree), <[&str; 0]>::default());
+        assert_eq!(crates(&format!("{tree}\n{tree}")).len(), 4);
         assert_eq!(unwanted(&format!("{tree}wgpu v30.0.0\nclap v4.5.0 (*)\n")), ["wgpu", "clap"]);
     }
 }

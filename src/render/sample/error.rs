@@ -38,6 +38,14 @@ pub enum SampleError {
         /// The whole expression.
         text: String,
     },
+    /// `OR0925`
+    #[error("the value is ({value}), which is not {asked} f32")]
+    Results {
+        /// How many f32 the caller wants of each point.
+        asked: usize,
+        /// What there is: each component with its type.
+        value: String,
+    },
     /// `OR0924`
     #[error("`{text}` cannot be included: {why}")]
     Include {
@@ -75,6 +83,11 @@ impl From<SampleError> for Error {
                 let help = "scalars, vectors, matrices, and arrays and structures of them can be";
                 Self::new(vec![d("OR0923", help).at(file, span, "")], files)
             }
+            E::Results { .. } => Self::bare(d(
+                "OR0925",
+                "ask for rows of as many f32 as the value has components, as in `Vec<[f32; 3]>` for a vec3f; `table` takes \
+                 components of every type",
+            )),
             E::Include { .. } => {
                 Self::bare(d("OR0924", "write it as behind `#include`: `--include '<noise/perlin.wgsl>'`"))
             }

@@ -1,28 +1,30 @@
 //! One WGSL expression over many points → [`Table`]: what `orogen eval` runs on the GPU.
 //!
 //! In steps: the expression is held against the lexer (`expression`), a fragment with it is written (`text`) and composed
-//! once to learn its type (`layout`) and once more as a compute shader that stores its components, which then runs over
-//! the points in a few dispatches (`dispatch`). Errors point into the expression as its author wrote it.
+//! once to learn its type (`layout`) and once more as a compute shader that stores its components (`sampler`), which then
+//! runs over the points in a few dispatches (`dispatch`). Errors point into the expression as its author wrote it.
+//!
+//! [`evaluate`] does it once; a [`Sampler`] is kept by who asks again and again.
 
 mod dispatch;
 mod error;
 mod expression;
 mod layout;
+mod sampler;
 mod suggest;
 mod text;
 mod value;
 
 pub use error::SampleError;
+pub use sampler::Sampler;
 pub use value::{Column, Kind, Points, Scalar, Table};
 
 use super::adapter::Gpu;
-use super::draw::only_bound_here;
 use crate::bake::Bake;
 use crate::diagnostic::Error;
 use crate::preset::Preset;
 use crate::shader::{Compose, Shader};
 use crate::source::{Library, Source, Templates};
-use layout::Leaf;
 use text::Root;
 
 /// What to evaluate, and where.
@@ -51,33 +53,7 @@ pub fn evaluate(
     templates: &Templates,
     query: &Query<'_>,
 ) -> Result<Table, Error> {
-    expression::check(query.expression)?;
-    text::check_includes(query.includes)?;
-    value::check(query.points)?;
-    let mut compose = Compose::default();
-    compose.templates = templates.clone();
-    let probe = text::root(query, None);
-    let shader = composed(&mut compose, library, query, &probe)?;
-    let leaves = layout::leaves(shader.checked(), text::ENTRY, text::VALUE)
-        .map_err(|error| text::whole(query.expression, error))?;
-    let kernel = text::root(query, Some(&leaves));
-    let shader = composed(&mut compose, library, query, &kernel)?;
-    run(gpu, &shader, query, &kernel, &leaves)
-}
-
-fn run(gpu: &Gpu, shader: &Shader, query: &Query<'_>, root: &Root, leaves: &[Leaf]) -> Result<Table, Error> {
-    let uniform = shader.uniform_bytes(&preset(query, root))?;
-    let bits = gpu.guarded(|| {
-        let entries = &shader.interface().entry_points;
-        let entry: Vec<_> = entries.iter().position(|entry| entry.name == text::ENTRY).into_iter().collect();
-        only_bound_here(shader, &entry, &[text::INPUT, text::OUTPUT])?;
-        dispatch::run(gpu, shader, &uniform, query.points, leaves.len())
-    })?;
-    let kinds = leaves.iter().map(|leaf| leaf.kind).cycle();
-    Ok(Table {
-        columns: leaves.iter().map(|leaf| leaf.name.clone()).collect(),
-        values: bits.into_iter().zip(kinds).map(|(bits, kind)| Scalar::from_bits(kind, bits)).collect(),
-    })
+    Sampler::of(gpu, library, templates, query)?.table(query.points)
 }
 
 /// The generated fragment beside the preset's scene, or alone.

@@ -1,4 +1,4 @@
-// ---- set ----
+// ---- live parameters: change them here ----
 /// Whether it is on.
 var<private> set_flag: bool = true;
 /// A whole number.

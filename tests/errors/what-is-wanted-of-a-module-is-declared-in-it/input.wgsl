@@ -1,0 +1,3 @@
+fn land_height() {}
+
+const land_depth = 1.0;

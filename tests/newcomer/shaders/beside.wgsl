@@ -1,0 +1,6 @@
+// Beside the host's own shader.
+
+/// How much.
+fn beside_weight() -> f32 {
+    return 2.0;
+}
