@@ -261,13 +261,16 @@ const HEAPS: &str = "
     }
 ";
 
+/// Rays to each side of a layer, for each sun.
+const RAYS: usize = 6000;
+
 #[test]
 fn heaps_give_no_more_light_than_they_get() {
     let mut report = Report::new(SECTION, "heaps_give_no_more_light_than_they_get");
     let mut random = Random::new(41);
-    let rays: Vec<[f32; 4]> = (0..3000)
+    let rays: Vec<[f32; 4]> = (0..RAYS)
         .map(|i| {
-            let part = (i as f32 + random.within(0.0, 1.0)) / 3000.0;
+            let part = (i as f32 + random.within(0.0, 1.0)) / RAYS as f32;
             [random.within(-6e4, 6e4), random.within(-6e4, 6e4), part, random.within(0.0, 6.283)]
         })
         .collect();
@@ -312,7 +315,9 @@ fn heaps_give_no_more_light_than_they_get() {
             least = least.min(mean);
             unsure = unsure.max((spread / all.len() as f64).sqrt());
         }
-        report.at_most(&format!("{name}: light out over light in, suns 10 .. 70° high: most"), most, 1.03);
+        // No more than comes in, but for what so few rays can tell.
+        let bound = 1.0 + unsure;
+        report.at_most(&format!("{name}: light out over light in, suns 10 .. 70° high: most"), most, bound);
         report.at_least(&format!("{name}: least"), least, 0.75);
         report.told(&format!("{name}: standard error of these"), unsure);
     }

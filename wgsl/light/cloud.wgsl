@@ -35,7 +35,7 @@ fn cloud_source_single(cos_theta: f32, sun_depth: f32, medium: CloudMedium) -> f
 ///
 /// In layers of g .8 and -.3 (share .85) and albedo 1 of thickness .5 .. 64, for suns 0 .. 80 degrees from the zenith and
 /// views of 0 .. 80, within 25 % of the path-traced radiance (10 % in the mean). What leaves a layer is no more than what
-/// came in; of heaps, whose depths are marched toward the sun and estimated above and below, it is .8 .. 1.03 of that.
+/// came in; of heaps, whose depths are marched toward the sun and estimated above and below, it is .8 .. 1 of that.
 fn cloud_source(
     cos_theta: f32,
     sun_mu: f32,
