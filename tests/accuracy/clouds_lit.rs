@@ -1,5 +1,8 @@
 //! Light in clouds: against layers that photons were followed through, and the energy that leaves them.
 
+use orogen::Preset;
+use truth::points::Random;
+
 use crate::harness::{Report, Scope, values};
 
 const SECTION: &str = "Light";
@@ -15,7 +18,7 @@ const LAYERS: &str = "
         let sun = above / layer.sun_mu;
         if kind == 0u { return cloud_source_single(layer.cos_theta, sun, medium); }
         if kind == 1u {
-            return cloud_source(layer.cos_theta, layer.sun_mu, layer.view_mu, sun, above, below, medium);
+            return cloud_source(layer.cos_theta, layer.sun_mu, layer.view_mu, sun, above, below, 1.0, medium);
         }
         return cloud_source_octaves(layer.cos_theta, sun, above, below, i32(kind), medium);
     }
@@ -235,11 +238,97 @@ fn clouds_give_no_more_light_than_they_get() {
     report.finish();
 }
 
+/// What of the sun's light on the layer leaves it at its upper (1) or lower side (-1) near `p`, by one ray, and directly.
+const HEAPS: &str = "
+    #include <clouds/layer.wgsl>
+    fn heap_leaving(p: vec2f, u: f32, turn: f32, side: f32) -> f32 {
+        // As many rays to all parts of a level surface's view: their mean radiance times pi is its irradiance.
+        let level = sqrt(u);
+        let direction = normalize(vec3f(level * cos(turn), -side * max(sqrt(1.0 - u), 0.02), level * sin(turn)));
+        let height = select(-10.0, clouds.thickness + 10.0, side > 0.0);
+        let eye = vec3f(p.x, clouds.base + height, p.y);
+        return 3.14159265 * clouds_found(eye, direction, 0.0, 1e6, 0.5, 0.0005).radiance.x;
+    }
+    fn heap_direct(p: vec2f) -> f32 {
+        let below = vec3f(p.x, clouds.base - 10.0, p.y);
+        let way = cloud_ahead(below, key_direction());
+        let step = (way.y - way.x) / 300.0;
+        var depth = 0.0;
+        for (var i = 0; i < 300; i++) {
+            depth += step * cloud_extinction(below + (way.x + step * (f32(i) + 0.5)) * key_direction(), 0.0);
+        }
+        return exp(-depth);
+    }
+";
+
+/// Rays to each side of a layer, for each sun.
+const RAYS: usize = 6000;
+
+#[test]
+fn heaps_give_no_more_light_than_they_get() {
+    let mut report = Report::new(SECTION, "heaps_give_no_more_light_than_they_get");
+    let mut random = Random::new(41);
+    let rays: Vec<[f32; 4]> = (0..RAYS)
+        .map(|i| {
+            let part = (i as f32 + random.within(0.0, 1.0)) / RAYS as f32;
+            [random.within(-6e4, 6e4), random.within(-6e4, 6e4), part, random.within(0.0, 6.283)]
+        })
+        .collect();
+    let layers: [(&str, &[&str]); 6] = [
+        ("cumulus", &["clouds.coverage=0.42"]),
+        (
+            "puffs",
+            &["clouds.coverage=0.085", "clouds.thickness=460", "clouds.scale=720", "clouds.clumping=0.8"],
+        ),
+        ("heaps apart", &["clouds.coverage=0.3", "clouds.clumping=2"]),
+        ("stratocumulus", &["clouds.type=0.6", "clouds.coverage=0.8", "clouds.scale=1700"]),
+        (
+            "a storm",
+            &["clouds.coverage=0.74", "clouds.thickness=5500", "clouds.scale=7000", "clouds.extinction=0.03"],
+        ),
+        ("a sheet of fBm", &["clouds.form=plain"]),
+    ];
+    for (name, settings) in layers {
+        let (mut most, mut least, mut unsure) = (0.0_f64, f64::MAX, 0.0_f64);
+        for elevation in [10.0_f64, 25.0, 70.0] {
+            let mut preset = Preset::of_module("clouds/layer.wgsl");
+            let sun = format!("sun.elevation={elevation}");
+            for setting in settings.iter().chain(&["quality=high", &sun]) {
+                preset.set(setting).unwrap();
+            }
+            let scope = Scope { fragment: HEAPS, preset: Some(&preset), ..Scope::default() };
+            let columns = ["x", "z", "u", "turn"];
+            let mu = elevation.to_radians().sin();
+            let sums: Vec<f64> =
+                ["heap_leaving(vec2f(x, z), u, turn, 1.0)", "heap_leaving(vec2f(x, z), u, turn, -1.0)"]
+                    .map(|call| values(call, &scope, columns, &rays))
+                    .iter()
+                    .map(|rows| rows.iter().map(|row| row[0] / mu))
+                    .fold(vec![0.0; rays.len()], |sums, side| {
+                        sums.iter().zip(side).map(|(a, b)| a + b).collect()
+                    });
+            let direct = values("heap_direct(vec2f(x, z))", &scope, columns, &rays);
+            let all: Vec<f64> = sums.iter().zip(&direct).map(|(a, b)| a + b[0]).collect();
+            let mean = all.iter().sum::<f64>() / all.len() as f64;
+            let spread = all.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / all.len() as f64;
+            most = most.max(mean);
+            least = least.min(mean);
+            unsure = unsure.max((spread / all.len() as f64).sqrt());
+        }
+        // No more than comes in, but for what so few rays can tell.
+        let bound = 1.0 + unsure;
+        report.at_most(&format!("{name}: light out over light in, suns 10 .. 70° high: most"), most, bound);
+        report.at_least(&format!("{name}: least"), least, 0.75);
+        report.told(&format!("{name}: standard error of these"), unsure);
+    }
+    report.finish();
+}
+
 #[test]
 fn clouds_are_lit_finitely_whatever_the_numbers() {
     let depths = [0.0_f32, 1e-6, 0.02, 0.5, 3.0, 40.0, 1e4, 3e38];
     let mut points = Vec::new();
-    let mut random = truth::points::Random::new(7);
+    let mut random = Random::new(7);
     let mut pick = |from: &[f32]| from[random.bits() as usize % from.len()];
     for _ in 0..20_000 {
         let sun = pick(&[-1.0, -0.3, -0.01, 0.0, 0.01, 0.05, 0.4, 1.0]);
@@ -253,7 +342,7 @@ fn clouds_are_lit_finitely_whatever_the_numbers() {
     let medium = "CloudMedium(g, -0.3 * g, 0.85, albedo)";
     let mut report = Report::new(SECTION, "clouds_are_lit_finitely_whatever_the_numbers");
     for (name, call) in [
-        ("two streams", format!("cloud_source(c, sun, view, to_sun, above, below, {medium})")),
+        ("two streams", format!("cloud_source(c, sun, view, to_sun, above, below, 0.3, {medium})")),
         ("octaves", format!("cloud_source_octaves(c, to_sun, above, below, 6, {medium})")),
         ("ambient", format!("cloud_ambient_source(view, above, below, {medium})")),
     ] {

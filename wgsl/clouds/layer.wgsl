@@ -534,7 +534,8 @@ fn cloud_lit(p: vec3f, direction: vec3f, extinction: f32, light_depth: f32) -> v
 #elif clouds.scattering == octaves
     var sunny = cloud_source_octaves(cos_theta, sun_depth, depths.x, depths.y, 6, medium);
 #else
-    var sunny = cloud_source(cos_theta, dot(to_sun, up), view_mu, sun_depth, depths.x, depths.y, medium);
+    let sun_mu = dot(to_sun, up);
+    var sunny = cloud_source(cos_theta, sun_mu, view_mu, sun_depth, depths.x, depths.y, clouds.coverage, medium);
 #endif
     let lobes = cloud_lobes(cos_theta, 1.0, medium);
     let lining = cloud_silver_lining(cos_theta, lobes, clouds.silver_lining, clouds.silver_spread) - lobes;

@@ -30,11 +30,12 @@ fn cloud_source_single(cos_theta: f32, sun_depth: f32, medium: CloudMedium) -> f
 /// `cos_theta`: between the ray from the eye and the direction to the sun; `sun_mu`, `view_mu`: cosines of the zenith
 /// angles of the sun and of the ray. Depths from the point: `sun_depth` to the sun, `depth_above` straight up,
 /// `depth_below` straight down. Where the sun is nearer than it would be in a level layer, as in the flank of a heap, the
-/// layer is taken as turned toward it, and as no thinner for that. >= 0.
+/// layer is taken as turned toward it, and as no thinner for that. `cover`: part of the sky that such clouds cover, 0 .. 1;
+/// the less it is, the more light leaves through flanks on its way. >= 0.
 ///
 /// In layers of g .8 and -.3 (share .85) and albedo 1 of thickness .5 .. 64, for suns 0 .. 80 degrees from the zenith and
 /// views of 0 .. 80, within 25 % of the path-traced radiance (10 % in the mean). What leaves a layer is no more than what
-/// came in.
+/// came in; of heaps, whose depths are marched toward the sun and estimated above and below, it is .8 .. 1 of that.
 fn cloud_source(
     cos_theta: f32,
     sun_mu: f32,
@@ -42,6 +43,7 @@ fn cloud_source(
     sun_depth: f32,
     depth_above: f32,
     depth_below: f32,
+    cover: f32,
     medium: CloudMedium,
 ) -> f32 {
     let to_sun = clamp(sun_depth, 0.0, 1e6);
@@ -70,7 +72,8 @@ fn cloud_source(
     let graze = 1.0 - min(abs(ray_mu), 1.0);
     let side = 1.0 + graze * exp(-0.17 * depth) * (0.29 * slant + 0.37 * exp(-0.17 * rest));
     let share = (1.0 - 0.27 * slant * slant * slant) * (1.0 - 0.17 * max(mean, 0.0)) * side;
-    let diffuse = max(field.x + mean * field.y * ray_mu, 0.0) * share;
+    let kept = cloud_kept(turned, level_mu, depth, cover);
+    let diffuse = max(field.x + mean * field.y * ray_mu, 0.0) * share * kept;
 
     // Turned little: a beam that is less slanted than the sun's, with the lobe of two turns; where both the beam and the
     // ray graze the layer it comes back out of the cloud, too.
@@ -81,6 +84,17 @@ fn cloud_source(
 
     let once = exp(-to_sun) * cloud_lobes(cos_theta, 1.0, medium);
     return medium.albedo * (once + beam * cloud_lobes(cos_theta, medium.g_forward, medium) + diffuse);
+}
+
+/// Part of the diffuse light that stays where a level layer would have it, 0 .. 1; in a level layer all of it.
+///
+/// What flanks turned to the sun get, others behind them lack: the more so the lower the sun and the closer the layer.
+/// And heaps lose through their flanks what went deep. The numbers balance what leaves the layers of the presets and of
+/// <clouds/layer.wgsl>, by rays in all directions, with what came in, for suns 8 .. 70 degrees high.
+fn cloud_kept(turned: f32, level_mu: f32, depth: f32, cover: f32) -> f32 {
+    let shaded = 1.0 - turned * cover * min(0.13 + 0.125 / level_mu, 0.78);
+    let deep = 1.0 - exp(-depth);
+    return shaded * (1.0 - (1.0 - cover) * (0.4 + 0.6 * level_mu) * deep);
 }
 
 /// The same by octaves (Wrenninge et al. 2013): each next one has half the extinction, half the intensity and half the
