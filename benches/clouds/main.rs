@@ -71,7 +71,7 @@ struct Setting {
 #[rustfmt::skip]
 const SETTINGS: [Setting; 7] = [
     Setting { name: "a", part: 0.5, light_part: 1.0, light_samples: 8, probe: 60.0, growth: 0.01, shortest: 12.0, max_steps: 64, opaque: 0.06 },
-    Setting { name: "b", part: 0.35, light_part: 1.0, light_samples: 7, probe: 46.0, growth: 0.009, shortest: 7.0, max_steps: 64, opaque: 0.04 },
+    Setting { name: "b", part: 0.4, light_part: 1.0, light_samples: 9, probe: 48.0, growth: 0.0095, shortest: 7.5, max_steps: 64, opaque: 0.055 },
     Setting { name: "c", part: 0.2, light_part: 0.5, light_samples: 8, probe: 45.0, growth: 0.007, shortest: 4.0, max_steps: 96, opaque: 0.02 },
     Setting { name: "d", part: 0.2, light_part: 0.5, light_samples: 10, probe: 34.0, growth: 0.005, shortest: 4.0, max_steps: 128, opaque: 0.02 },
     Setting { name: "e", part: 0.2, light_part: 0.5, light_samples: 10, probe: 30.0, growth: 0.004, shortest: 4.0, max_steps: 128, opaque: 0.02 },
