@@ -101,7 +101,7 @@ const CLOUD_VACANT: f32 = 0.3;
 // Samples of a column's profile; steps that a shadow's way is divided into; width of the smallest detail looked at, in pixels.
 #if quality == low
 const CLOUD_COLUMN: i32 = 4;
-const CLOUD_SHADOW_SAMPLES: i32 = 12;
+const CLOUD_SHADOW_SAMPLES: i32 = 8;
 const CLOUD_DETAIL: f32 = 2.0;
 #elif quality == medium
 const CLOUD_COLUMN: i32 = 8;
@@ -644,7 +644,7 @@ fn clouds_mean(origin: vec3f, direction: vec3f, far: f32, day: Daylight) -> Clou
 fn cloud_effort() -> cloud_volume_Volume {
     let unit = clouds.scale / 1000.0;
 #if quality == low
-    return cloud_volume_Volume(0.4, 1.0, 6, 18.5 * unit, 0.014, 3.1 * unit, 64, 0.05, 0.0);
+    return cloud_volume_Volume(0.4, 0.5, 4, 18.5 * unit, 0.014, 3.1 * unit, 64, 0.05, 0.0);
 #elif quality == medium
     return cloud_volume_Volume(0.2, 0.5, 10, 13.0 * unit, 0.009, 1.5 * unit, 128, 0.02, 0.0);
 #elif quality == high

@@ -26,8 +26,8 @@ struct Adaptive {
 ///
 /// `direction` is a unit vector, `ceiling` (m) a height that the ground nowhere exceeds, `far` (m) how far to look,
 /// from above counted from where the ray comes below the ceiling. A ray that starts below the ground ends at once, with
-/// distance 0. Running out of steps counts as meeting the ground: steps are short only where the ray grazes it. What is
-/// missed is a crest that lies between two steps: tested, not proven. After the halvings the crossing is where a line
+/// distance 0. Where steps run out, they grow to reach the end: they are short only where the ray grazes the ground. What
+/// is missed is a crest that lies between two steps: tested, not proven. After the halvings the crossing is where a line
 /// through both ends of what is left meets the ground.
 fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, how: Adaptive) -> MarchHit {
     var t = 0.0;
@@ -67,7 +67,9 @@ fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, how: Adaptive)
                 return MarchHit(t, true, steps + 1, steps + 1);
             }
         } else {
-            t += how.shortest + how.growth * t + how.relax * above;
+            let left = f32(how.max_steps - steps);
+            let rest = (end - t) * min(3.0 / (left * left), 1.0); // the last steps reach the end
+            t += max(how.shortest + how.growth * t + how.relax * above, rest);
             if t > end {
                 return MarchHit(far, false, steps + 1, steps + 1);
             }

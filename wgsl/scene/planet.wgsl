@@ -56,10 +56,12 @@ struct Traced {
 #if quality == low
 const GROUND_STEPS: i32 = 30;
 const GROUND_GROWTH: f32 = 0.08;
-const GROUND_REFINEMENTS: i32 = 4;
+const GROUND_REFINEMENTS: i32 = 2;
 const GROUND_DETAIL: f32 = 2.0; // width of the smallest detail looked at, in pixels
 const SHADOW_LOOKS: i32 = 4;
+const SHADOW_FINEST: f32 = 300.0; // pixels so wide (m) see no shadows of mountains
 const SHELL_SHADE: f32 = 16.0; // how much coarser the clouds are that throw shadows than those that are seen
+const SHELL_RELIEF: bool = false; // whether heaps of cloud shade each other, and the air up to them is looked at
 const SEA_MIRRORS: f32 = 3000.0; // height (m) of the eye up to which the sea mirrors more than the mean of the sky
 #elif quality == medium
 const GROUND_STEPS: i32 = 70;
@@ -67,7 +69,9 @@ const GROUND_GROWTH: f32 = 0.04;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 9;
+const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
+const SHELL_RELIEF: bool = true;
 const SEA_MIRRORS: f32 = RAY_FAR;
 #elif quality == high
 const GROUND_STEPS: i32 = 110;
@@ -75,7 +79,9 @@ const GROUND_GROWTH: f32 = 0.025;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 12;
+const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
+const SHELL_RELIEF: bool = true;
 const SEA_MIRRORS: f32 = RAY_FAR;
 #else
 const GROUND_STEPS: i32 = 140;
@@ -83,7 +89,9 @@ const GROUND_GROWTH: f32 = 0.015;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 16;
+const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
+const SHELL_RELIEF: bool = true;
 const SEA_MIRRORS: f32 = RAY_FAR;
 #endif
 const GROUND_RELAX: f32 = 0.7;
@@ -188,7 +196,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             let climb = max(dot(up, to_key), 0.08);
             ahead = (shell.height - planet_altitude(end)) / climb;
         }
-        if (i == 2 && !ends) || (i < 2 && !meets) || (i == 1 && thick.x <= 0.0) {
+        if (i == 2 && !ends) || (i < 2 && !meets) || (i == 1 && (thick.x <= 0.0 || !SHELL_RELIEF)) {
             continue;
         }
         let slant = max(abs(dot(direction, planet_up(start_at))), 0.02);
@@ -198,7 +206,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #endif
 
 #if planet.shadows
-    if ends && dot(up, to_key) > -0.1 && (leafy || dot(normal, to_key) > 0.0) {
+    if ends && footprint < SHADOW_FINEST && dot(up, to_key) > -0.1 && (leafy || dot(normal, to_key) > 0.0) {
         let start = max(footprint, 1.0);
         let start_at = end + 0.5 * start * normal;
         let reach = min(planet_ceiling() / max(dot(up, to_key), 0.04), 200000.0);
@@ -290,6 +298,9 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         }
 #if planet.clouds
         if i == PLANET_CLOUDS {
+            if !SHELL_RELIEF {
+                thick.y = thick.x;
+            }
             let tau = shell_depth(thick.x);
             let between = shell_transmittance(2.0 * shell_depth(thick.y));
             let through = shell_transmittance(tau);
@@ -302,8 +313,21 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             lit = min(returned * max(relief, 1.0), 1.0) / max(relief, 1.0) * irradiance / 3.14159265;
         }
 #endif
-        let behind = select(lit, sky_beyond(toward), i == PLANET_GROUND && !ends);
+        var behind = select(lit, sky_beyond(toward), i == PLANET_GROUND && !ends);
         let air_blur = select(0.0, blur, i == PLANET_MIRRORED);
+#if planet.clouds
+        if !SHELL_RELIEF && !inside {
+            // From high above, the air up to the clouds is nearly that up to the ground.
+            if i == PLANET_CLOUDS {
+                cloud_radiance = lit;
+                continue;
+            } else if i == PLANET_GROUND {
+                behind = mix(behind, cloud_radiance, cloud_opacity);
+                passed *= 1.0 - cloud_opacity;
+                cloud_opacity = 0.0;
+            }
+        }
+#endif
         let seen = sky_through(weather_air_blurred(start_at, toward, distance, jitter, air_blur, day), behind);
         if i == PLANET_CLOUDS {
             cloud_radiance = seen;

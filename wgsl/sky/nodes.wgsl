@@ -4,7 +4,7 @@
 #include <quality.wgsl>
 
 /// Where the air is looked at along each unbroken part of a ray; rounded up to 2, 4, 6, 8, 12, 16, 24, 32 or 64. Eight
-/// hold a sky by day within 1 %; 12 one at twilight, 16 one from space. `quality` = `low` makes do with half as many.
+/// hold a sky by day within 1 %; 12 one at twilight, 16 one from space. Up to twelve, `quality` = `low` makes do with fewer.
 #option sky.samples = 8, range 2 .. 64
 
 #if sky.samples <= 2
@@ -13,22 +13,22 @@ const SKY_RULE = GAUSS_LEGENDRE_2;
 #elif sky.samples <= 4 || quality == low && sky.samples <= 8
 const SKY_NODES: i32 = 4;
 const SKY_RULE = GAUSS_LEGENDRE_4;
-#elif sky.samples <= 6 || quality == low && sky.samples <= 12
+#elif sky.samples <= 6
 const SKY_NODES: i32 = 6;
 const SKY_RULE = GAUSS_LEGENDRE_6;
-#elif sky.samples <= 8 || quality == low && sky.samples <= 16
+#elif sky.samples <= 8 || quality == low && sky.samples <= 12
 const SKY_NODES: i32 = 8;
 const SKY_RULE = GAUSS_LEGENDRE_8;
-#elif sky.samples <= 12 || quality == low && sky.samples <= 24
+#elif sky.samples <= 12
 const SKY_NODES: i32 = 12;
 const SKY_RULE = GAUSS_LEGENDRE_12;
-#elif sky.samples <= 16 || quality == low && sky.samples <= 32
+#elif sky.samples <= 16
 const SKY_NODES: i32 = 16;
 const SKY_RULE = GAUSS_LEGENDRE_16;
 #elif sky.samples <= 24
 const SKY_NODES: i32 = 24;
 const SKY_RULE = GAUSS_LEGENDRE_24;
-#elif sky.samples <= 32 || quality == low
+#elif sky.samples <= 32
 const SKY_NODES: i32 = 32;
 const SKY_RULE = GAUSS_LEGENDRE_32;
 #else

@@ -26,13 +26,14 @@
 #param terrain.hollow: f32 = 250.0, range 0.1 .. 10000, unit m
 
 #if quality == low
-const LAND_STEPS: i32 = 80;
+const LAND_STEPS: i32 = 72;
 const LAND_HALVINGS: i32 = 3; // of the last step, to find the ground in it
-const LAND_RELAX: f32 = 0.9;
-const LAND_GROWTH: f32 = 0.03;
+const LAND_RELAX: f32 = 0.8;
+const LAND_GROWTH: f32 = 0.02;
 const LAND_SHADOW_STEPS: i32 = 6;
 const LAND_DETAIL: f32 = 3.0; // width of the smallest detail looked at, in pixels
-const LAND_BLUR: f32 = 2.0; // how much coarser the land may be while a ray looks for it
+const LAND_EXACT: f32 = 1.2; // how exactly it is met, in pixels
+const LAND_BLUR: f32 = 4.0; // how much coarser than that the land may be while a ray looks for it
 const LAND_MIRRORED: f32 = 2.0; // by how much a mirrored ray takes fewer and longer steps
 #elif quality == medium
 const LAND_STEPS: i32 = 150;
@@ -41,6 +42,7 @@ const LAND_RELAX: f32 = 0.5;
 const LAND_GROWTH: f32 = 0.003;
 const LAND_SHADOW_STEPS: i32 = 28;
 const LAND_DETAIL: f32 = 1.5;
+const LAND_EXACT: f32 = 1.5;
 const LAND_BLUR: f32 = 1.0;
 const LAND_MIRRORED: f32 = 1.0;
 #elif quality == high
@@ -50,6 +52,7 @@ const LAND_RELAX: f32 = 0.35;
 const LAND_GROWTH: f32 = 0.0010;
 const LAND_SHADOW_STEPS: i32 = 48;
 const LAND_DETAIL: f32 = 1.0;
+const LAND_EXACT: f32 = 1.0;
 const LAND_BLUR: f32 = 1.0;
 const LAND_MIRRORED: f32 = 1.0;
 #else
@@ -59,6 +62,7 @@ const LAND_RELAX: f32 = 0.28;
 const LAND_GROWTH: f32 = 0.0005;
 const LAND_SHADOW_STEPS: i32 = 96;
 const LAND_DETAIL: f32 = 0.7;
+const LAND_EXACT: f32 = 0.7;
 const LAND_BLUR: f32 = 1.0;
 const LAND_MIRRORED: f32 = 1.0;
 #endif
@@ -76,7 +80,7 @@ fn terrain_trace(origin: vec3f, direction: vec3f) -> MarchHit {
 /// As `terrain_trace`, in steps `haste` (1 or more) times as long, and as many times fewer.
 fn terrain_trace_in(origin: vec3f, direction: vec3f, haste: f32) -> MarchHit {
     let most = i32(f32(LAND_STEPS) / haste);
-    let pixel_angle = LAND_DETAIL * camera_pixel_angle();
+    let pixel_angle = LAND_EXACT * camera_pixel_angle();
 #if terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
     // The wide map's octaves are counted as if the land's own went on toward the coarse.
     let coarsest = terrain.scale * pow(terrain.lacunarity, f32(WIDE_OCTAVES));

@@ -2,7 +2,6 @@
 
 #include <fractal/fbm.wgsl> as groves with noise2 = perlin_noise2_grad
 #include <noise/perlin.wgsl>
-#include <quality.wgsl>
 
 /// Which woods of their kind: another seed, other trees.
 #param trees.seed: u32 = 1
@@ -27,12 +26,6 @@
 /// How far autumn has come: 0 summer, 1 all leaves turned.
 #param trees.autumn: f32 = 0.0, range 0 .. 1
 
-#if quality == low
-const WOODS_OCTAVES: f32 = 3.0; // of the noise that says where woods are
-#else
-const WOODS_OCTAVES: f32 = 4.0;
-#endif
-
 /// What to add to a noise so that about `share` of it is above 0: nothing of it for 0, all of it for 1. `contrast`: how
 /// much a change in the middle of the range does.
 fn share_shift(share: f32, contrast: f32) -> f32 {
@@ -43,7 +36,7 @@ fn share_shift(share: f32, contrast: f32) -> f32 {
 ///
 /// Four octaves of noise.
 fn woods_depth(p: vec2f) -> f32 {
-    let wander = groves_fbm2(p / trees.patch, trees.seed + 17u, WOODS_OCTAVES, 0.5, 2.1).x;
+    let wander = groves_fbm2(p / trees.patch, trees.seed + 17u, 4.0, 0.5, 2.1).x;
     return wander + share_shift(trees.share, 1.3);
 }
 

@@ -30,7 +30,7 @@ const TREE_CROWNS: i32 = 6; // crowns marched through
 const TREE_MARCH: i32 = 10; // steps in each
 const TREE_STRIDE: f32 = 0.9; // part of the crown's field that a step covers
 const TREE_CLIMB: f32 = 0.6; // steepest ground that trees are looked for behind
-const TREE_STEEPENING: f32 = 0.2; // by how much it may be steeper than here
+const TREE_STEEPENING: f32 = 0.35; // by how much it may be steeper than here
 const TREE_PROBES: i32 = 24; // cells from one look at the ground to the next
 const TREE_SHADOW_STEPS: i32 = 30;
 const TREE_SHADES: i32 = 4; // crowns looked through to the sun
@@ -231,8 +231,9 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Tr
             // From what the ground was like a few cells ago it may be seen that the ray passes above.
             let off = tree.foot.xz - (*walk).looked;
             let top = (*walk).land.x + dot((*walk).land.yz, off) + TREE_STEEPENING * length(off) + tree.height;
-            candidate = candidate && origin.y + nearest * direction.y - abs(descent) * tree.radius < top;
-            probe = !candidate && (*walk).unprobed > TREE_PROBES;
+            let stale = (*walk).unprobed > TREE_PROBES;
+            candidate = candidate && (stale || origin.y + nearest * direction.y - abs(descent) * tree.radius < top);
+            probe = !candidate && stale;
         }
         if !candidate && !probe {
             break;
