@@ -377,7 +377,8 @@ fn same_tree(seed: u32) -> vec3f {
         .filter(|row| row[0] > 0.5)
         .collect();
     report.at_least("rays that meet a tree", rows.len() as f64, 800.0);
-    report.at_most("apart from the tree that stands in its cell, m", largest(&rows, |row| row[1]), 0.0);
+    // Compiled in two places, the same sums round in two ways.
+    report.at_most("apart from the tree that stands in its cell, m", largest(&rows, |row| row[1]), 5e-5);
     let part = |limit: f64| rows.iter().filter(|row| row[2] > limit).count() as f64 / rows.len() as f64;
     report.at_most(
         "part of the rays that meet another tree when looking from a metre before the hit on",
