@@ -271,7 +271,12 @@ fn heaps_give_no_more_light_than_they_get() {
     let rays: Vec<[f32; 4]> = (0..RAYS)
         .map(|i| {
             let part = (i as f32 + random.within(0.0, 1.0)) / RAYS as f32;
-            [random.within(-6e4, 6e4), random.within(-6e4, 6e4), part, random.within(0.0, 6.283)]
+            [
+                random.within(-6e4, 6e4),
+                random.within(-6e4, 6e4),
+                part,
+                random.within(0.0, std::f64::consts::TAU),
+            ]
         })
         .collect();
     let layers: [(&str, &[&str]); 6] = [

@@ -17,7 +17,7 @@ pub(in crate::export) enum Meaning {
     /// A type of WGSL's own, or one that an alias names.
     Type(Ty),
     /// `vec3`, whose components are told by what it is made of.
-    Inferred(Shape2),
+    Inferred(Inferable),
     /// A function of WGSL's own.
     Function,
     /// A word that only its place gives a meaning: `function` in `ptr<function, f32>`.
@@ -26,7 +26,7 @@ pub(in crate::export) enum Meaning {
 
 /// A constructor without its component type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::export) enum Shape2 {
+pub(in crate::export) enum Inferable {
     Vector(u8),
     Matrix(u8, u8),
     Array,
@@ -432,7 +432,7 @@ impl<'a> Typer<'a> {
         if let Some((shape, None)) = builtin::constructor(name) {
             let (scalar, inferred) = match shape {
                 Shape::Vector(n) => {
-                    (types.iter().filter_map(|ty| ty.scalar()).reduce(Scalar::unify), Shape2::Vector(n))
+                    (types.iter().filter_map(|ty| ty.scalar()).reduce(Scalar::unify), Inferable::Vector(n))
                 }
                 Shape::Matrix(c, r) => {
                     let scalar = types.iter().filter_map(|ty| ty.scalar()).reduce(Scalar::unify);
@@ -441,7 +441,7 @@ impl<'a> Typer<'a> {
                     } else {
                         scalar
                     };
-                    (float, Shape2::Matrix(c, r))
+                    (float, Inferable::Matrix(c, r))
                 }
                 Shape::Scalar => return self.unreadable(callee, "this call"),
             };
@@ -449,7 +449,7 @@ impl<'a> Typer<'a> {
             return Ok((shape.of(scalar.unwrap_or(Scalar::AbstractInt)), constant));
         }
         if name == "array" {
-            self.typed.meaning[callee.index()] = Meaning::Inferred(Shape2::Array);
+            self.typed.meaning[callee.index()] = Meaning::Inferred(Inferable::Array);
             let element = match types.first() {
                 Some(first) if first.scalar().is_some() => builtin::together(&types),
                 other => other.copied(),

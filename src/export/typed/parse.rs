@@ -65,7 +65,7 @@ impl<'a> Parser<'a> {
     }
 
     /// What kind the token after the next one is.
-    fn kind_after(&self) -> Option<TokenKind> {
+    pub(super) fn kind_after(&self) -> Option<TokenKind> {
         self.significant.get(self.at + 1).map(|tok| self.tree.kind(*tok))
     }
 
@@ -443,10 +443,5 @@ impl<'a> Parser<'a> {
         let first = self.here();
         let kind = self.simple_statement()?;
         Ok(Some(Box::new(Statement { kind, first, last: self.behind() })))
-    }
-
-    /// Whether the next token opens a template list or a call.
-    pub(super) fn opens(&self) -> Option<TokenKind> {
-        self.kind_after()
     }
 }

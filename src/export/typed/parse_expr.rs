@@ -106,7 +106,7 @@ impl Parser<'_> {
     }
 
     fn expect_name(&mut self) -> Parsed<ExprId> {
-        let has_list = self.opens() == Some(TokenKind::TemplateOpen);
+        let has_list = self.kind_after() == Some(TokenKind::TemplateOpen);
         let first = self.expect(TokenKind::Ident, "this name")?;
         let mut arguments = Vec::new();
         if has_list {
