@@ -275,7 +275,7 @@ fn heaps_give_no_more_light_than_they_get() {
                 random.within(-6e4, 6e4),
                 random.within(-6e4, 6e4),
                 part,
-                random.within(0.0, std::f64::consts::TAU),
+                random.within(0.0, std::f32::consts::TAU),
             ]
         })
         .collect();
