@@ -100,21 +100,25 @@ const CLOUD_MEAN: f32 = 0.84;
 const CLOUD_VACANT: f32 = 0.3;
 // Samples of a column's profile; steps that a shadow's way is divided into; width of the smallest detail looked at, in pixels.
 #if quality == low
-const CLOUD_COLUMN: i32 = 4;
-const CLOUD_SHADOW_SAMPLES: i32 = 8;
-const CLOUD_DETAIL: f32 = 2.0;
+const CLOUD_COLUMN: i32 = 3;
+const CLOUD_SHADOW_SAMPLES: i32 = 4;
+const CLOUD_DETAIL: f32 = 4.0;
+const CLOUD_CERTAIN: i32 = 4; // halvings by which it is found out how far there is no cloud
 #elif quality == medium
 const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 32;
 const CLOUD_DETAIL: f32 = 1.0;
+const CLOUD_CERTAIN: i32 = 7;
 #elif quality == high
 const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 64;
 const CLOUD_DETAIL: f32 = 1.0;
+const CLOUD_CERTAIN: i32 = 7;
 #else
 const CLOUD_COLUMN: i32 = 8;
 const CLOUD_SHADOW_SAMPLES: i32 = 96;
 const CLOUD_DETAIL: f32 = 1.0;
+const CLOUD_CERTAIN: i32 = 7;
 #endif
 // The least that is eaten, over the most.
 const CLOUD_RIM: f32 = 0.35;
@@ -320,7 +324,7 @@ fn cloud_vacancy(p: vec3f) -> f32 {
     let turning = 0.8 * clouds.variety * PERLIN_NOISE3_SLOPE / (CLOUD_REGION * clouds.scale); // of the type, 1/m
     var free = clear;
     var taken = max(clear, CLOUD_VACANT * clouds.scale);
-    for (var i = 0; i < 7; i++) {
+    for (var i = 0; i < CLOUD_CERTAIN; i++) {
         let way = 0.5 * (free + taken);
         let over_land = way / spread;
         let cover = weather.cover + over_land * min(weather.rise.x, weather.rise.y + 0.5 * weather.rise.z * over_land);
@@ -644,7 +648,7 @@ fn clouds_mean(origin: vec3f, direction: vec3f, far: f32, day: Daylight) -> Clou
 fn cloud_effort() -> cloud_volume_Volume {
     let unit = clouds.scale / 1000.0;
 #if quality == low
-    return cloud_volume_Volume(0.4, 0.5, 4, 18.5 * unit, 0.014, 3.1 * unit, 64, 0.05, 0.0);
+    return cloud_volume_Volume(0.5, 0.9, 3, 26.0 * unit, 0.1, 4.0 * unit, 26, 0.08, 0.0);
 #elif quality == medium
     return cloud_volume_Volume(0.2, 0.5, 10, 13.0 * unit, 0.009, 1.5 * unit, 128, 0.02, 0.0);
 #elif quality == high

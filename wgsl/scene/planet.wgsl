@@ -10,7 +10,7 @@
 #include <geometry/ray.wgsl>
 #include <light/daylight.wgsl>
 #include <light/outdoor.wgsl>
-#include <march/globe.wgsl> as globe with above = planet_above
+#include <march/globe.wgsl> as globe with above = planet_above_marched
 #include <noise/interleaved_gradient.wgsl>
 #include <planet/globe.wgsl>
 #include <planet/height.wgsl>
@@ -54,11 +54,12 @@ struct Traced {
 // Steps few enough for software GPUs, which end all loops of eight pixels after 65,535 turns in total: a step takes up to
 // some forty octaves on each of the planes that count.
 #if quality == low
-const GROUND_STEPS: i32 = 30;
-const GROUND_GROWTH: f32 = 0.08;
-const GROUND_REFINEMENTS: i32 = 2;
-const GROUND_DETAIL: f32 = 2.0; // width of the smallest detail looked at, in pixels
-const SHADOW_LOOKS: i32 = 4;
+const GROUND_STEPS: i32 = 12;
+const GROUND_GROWTH: f32 = 0.2;
+const GROUND_REFINEMENTS: i32 = 1;
+const GROUND_DETAIL: f32 = 4.0; // width of the smallest detail looked at, in pixels
+const GROUND_BLUR: f32 = 8.0; // how much coarser than that the ground is that rays look for, and what covers it
+const SHADOW_LOOKS: i32 = 2;
 const SHADOW_FINEST: f32 = 300.0; // pixels so wide (m) see no shadows of mountains
 const SHELL_SHADE: f32 = 16.0; // how much coarser the clouds are that throw shadows than those that are seen
 const SHELL_RELIEF: bool = false; // whether heaps of cloud shade each other, and the air up to them is looked at
@@ -68,6 +69,7 @@ const GROUND_STEPS: i32 = 70;
 const GROUND_GROWTH: f32 = 0.04;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
+const GROUND_BLUR: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 9;
 const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
@@ -78,6 +80,7 @@ const GROUND_STEPS: i32 = 110;
 const GROUND_GROWTH: f32 = 0.025;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
+const GROUND_BLUR: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 12;
 const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
@@ -88,6 +91,7 @@ const GROUND_STEPS: i32 = 140;
 const GROUND_GROWTH: f32 = 0.015;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
+const GROUND_BLUR: f32 = 1.0;
 const SHADOW_LOOKS: i32 = 16;
 const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
@@ -100,6 +104,11 @@ const GROUND_RELAX: f32 = 0.7;
 const PLANET_CLOUDS: i32 = 0;
 const PLANET_GROUND: i32 = 1;
 const PLANET_MIRRORED: i32 = 2;
+
+/// Height (m) of `p` (m) above the ground as a march looks at it.
+fn planet_above_marched(p: vec3f, footprint: f32) -> f32 {
+    return planet_above(p, GROUND_BLUR * footprint);
+}
 
 /// What is seen from `origin` (m) in the unit `direction`.
 fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
@@ -163,7 +172,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             way = max(way, 0.0);
             end = origin + way * direction;
         }
-        let cover = planet_cover_at(end, up, ground.height, steepness, covered);
+        let cover = planet_cover_at(end, up, ground.height, steepness, GROUND_BLUR * covered);
         albedo = cover.albedo;
         normal = planet_normal(up, ground.slope);
 #if planet.water
@@ -383,10 +392,11 @@ fn scene_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
 fn main_image(frag_coord: vec2f) -> vec4f {
-    // Counted from sea level and above all mountains, the camera does not need to know the ground.
+    // Counted from sea level and above all mountains, the camera does not need to know the ground; high above it, not what is
+    // small.
     var under = 0.0;
     if camera.above_ground || camera.position.y < planet_ceiling() + camera.clearance {
-        under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), 0.0).height;
+        under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), max(0.02 * camera.position.y, 0.0)).height;
     }
     let ray = camera_ray(frag_coord, under);
     let jitter = interleaved_gradient_noise(frag_coord, frame.index);

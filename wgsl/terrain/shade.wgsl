@@ -8,8 +8,9 @@
 #include <quality.wgsl>
 #include <terrain/height.wgsl>
 #include <terrain/material.wgsl>
-// A plain sum of octaves is marched without missing anything; other reliefs by steps that tests have shown to be safe.
-#if terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
+// A plain sum of octaves is marched without missing anything; other reliefs, and all in haste, by steps that tests have shown
+// to be safe.
+#if quality != low && terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
 #include <march/heightfield_bounded.wgsl> as land with octave = sum_octave, octave_bounds = sum_octave_bounds, ruggedness = sum_ruggedness
 #include <terrain/sum.wgsl>
 #else
@@ -26,14 +27,14 @@
 #param terrain.hollow: f32 = 250.0, range 0.1 .. 10000, unit m
 
 #if quality == low
-const LAND_STEPS: i32 = 72;
+const LAND_STEPS: i32 = 48;
 const LAND_HALVINGS: i32 = 3; // of the last step, to find the ground in it
 const LAND_RELAX: f32 = 0.8;
-const LAND_GROWTH: f32 = 0.02;
-const LAND_SHADOW_STEPS: i32 = 6;
-const LAND_DETAIL: f32 = 3.0; // width of the smallest detail looked at, in pixels
+const LAND_GROWTH: f32 = 0.035;
+const LAND_SHADOW_STEPS: i32 = 4;
+const LAND_DETAIL: f32 = 4.0; // width of the smallest detail looked at, in pixels
 const LAND_EXACT: f32 = 1.2; // how exactly it is met, in pixels
-const LAND_BLUR: f32 = 4.0; // how much coarser than that the land may be while a ray looks for it
+const LAND_BLUR: f32 = 6.0; // how much coarser than that the land may be while a ray looks for it
 const LAND_MIRRORED: f32 = 2.0; // by how much a mirrored ray takes fewer and longer steps
 #elif quality == medium
 const LAND_STEPS: i32 = 150;
@@ -81,7 +82,7 @@ fn terrain_trace(origin: vec3f, direction: vec3f) -> MarchHit {
 fn terrain_trace_in(origin: vec3f, direction: vec3f, haste: f32) -> MarchHit {
     let most = i32(f32(LAND_STEPS) / haste);
     let pixel_angle = LAND_EXACT * camera_pixel_angle();
-#if terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
+#if quality != low && terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
     // The wide map's octaves are counted as if the land's own went on toward the coarse.
     let coarsest = terrain.scale * pow(terrain.lacunarity, f32(WIDE_OCTAVES));
     let octaves = terrain.octaves + f32(WIDE_OCTAVES);

@@ -23,17 +23,17 @@
 #param trees.bark: vec3f = (0.11, 0.085, 0.065), color
 
 #if quality == low
-const TREE_LEAST: f32 = 6.0; // pixels that the tallest trees stand up to where trees are drawn one by one
+const TREE_LEAST: f32 = 9.0; // pixels that the tallest trees stand up to where trees are drawn one by one
 const TREE_DETAIL: f32 = 2.5; // width of the smallest detail looked at, in pixels
-const TREE_STEPS: i32 = 250; // cells looked at along a ray
-const TREE_CROWNS: i32 = 6; // crowns marched through
-const TREE_MARCH: i32 = 10; // steps in each
+const TREE_STEPS: i32 = 80; // cells looked at along a ray
+const TREE_CROWNS: i32 = 4; // crowns marched through
+const TREE_MARCH: i32 = 8; // steps in each
 const TREE_STRIDE: f32 = 0.9; // part of the crown's field that a step covers
 const TREE_CLIMB: f32 = 0.6; // steepest ground that trees are looked for behind
 const TREE_STEEPENING: f32 = 0.35; // by how much it may be steeper than here
 const TREE_PROBES: i32 = 24; // cells from one look at the ground to the next
-const TREE_SHADOW_STEPS: i32 = 30;
-const TREE_SHADES: i32 = 4; // crowns looked through to the sun
+const TREE_SHADOW_STEPS: i32 = 16;
+const TREE_SHADES: i32 = 2; // crowns looked through to the sun
 const TREE_LOOKS: i32 = 1; // looks at each
 #elif quality == medium
 const TREE_LEAST: f32 = 0.0;
