@@ -318,6 +318,14 @@ pub enum ComposeError {
         /// What it declares.
         known: String,
     },
+    /// `OR0418`
+    #[error("{what}: it cannot be left open")]
+    NotOpen {
+        /// What is in the way.
+        what: String,
+        /// Where.
+        at: At,
+    },
     /// `OR0413`
     #[error("`{name}` is the name of Orogen's uniform buffer")]
     Reserved {
@@ -452,6 +460,9 @@ impl From<ComposeError> for Diagnostic {
             }
             E::NotDeclared { nearest, known, .. } => Diagnostic::error("OR0417", message)
                 .help(did_you_mean(nearest).or_else(|| Some(format!("choose {known}")))),
+            E::NotOpen { at, .. } => d("OR0418", at, "here").help(Some(
+                "let it stand around whole declarations, statements or members; or export a preset, which decides it".into(),
+            )),
             E::Reserved { at, .. } => d("OR0413", at, "reserved").help(Some("give it another name".into())),
         }
     }

@@ -1,0 +1,183 @@
+//! A package → WGSL, through the `wesl` crate; WGSL → a picture, on a wgpu of its own.
+
+use orogen::export::Package;
+use orogen::render::{Picture, Shot, set_frame, srgb_decode};
+use orogen::{Preset, Shader};
+use wesl::syntax::{ModulePath, PathOrigin};
+use wesl::{CompileOptions, EscapeMangler, Feature, VirtualResolver};
+
+/// Path of the module in the file `name`, which has no extension.
+pub fn module(name: &str) -> ModulePath {
+    ModulePath::new(PathOrigin::Absolute, name.split('/').map(str::to_owned).collect())
+}
+
+/// The files of a package, laid below `folder` of a shader's root.
+pub fn add(resolver: &mut VirtualResolver<'_>, folder: &str, package: &Package) {
+    for (path, text) in &package.files {
+        if let Some(name) = path.strip_suffix(".wesl") {
+            resolver.add_module(module(&format!("{folder}{name}")), text.clone().into());
+        }
+    }
+}
+
+/// Compiles the module `root` with `features` on: its entry points, or with `whole` all that it declares.
+pub fn compile(
+    resolver: &VirtualResolver<'_>,
+    root: &str,
+    features: &[String],
+    whole: bool,
+) -> Result<String, String> {
+    let mut options = CompileOptions { keep_root: whole, ..CompileOptions::default() };
+    options.features.flags = features.iter().map(|name| (name.clone(), Feature::Enable)).collect();
+    wesl::compile(&module(root), resolver, &EscapeMangler, &options)
+        .map(|compiled| compiled.to_string())
+        .map_err(|error| format!("{root}: {error}"))
+}
+
+/// What naga says against `wgsl`.
+pub fn validate(wgsl: &str) -> Result<(), String> {
+    let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
+    let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), Default::default());
+    validator.validate(&module).map(drop).map_err(|error| error.emit_to_string(wgsl))
+}
+
+/// A software adapter, or whichever there is.
+pub struct Device {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+}
+
+impl Device {
+    /// Opens it.
+    pub fn new() -> Self {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
+        let wanted = std::env::var("WGPU_ADAPTER_NAME").unwrap_or_default().to_lowercase();
+        let is_wanted = |adapter: &wgpu::Adapter| adapter.get_info().name.to_lowercase().contains(&wanted);
+        let adapter = adapters.into_iter().find(is_wanted).expect("there is an adapter");
+        let descriptor = wgpu::DeviceDescriptor::default();
+        let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).expect("it opens");
+        Self { device, queue }
+    }
+
+    /// The same device, for Orogen.
+    pub fn gpu(&self) -> orogen::render::Gpu {
+        orogen::render::Gpu::of(&self.device, &self.queue)
+    }
+
+    /// What `wgsl` draws with `vertex_main` and `fragment_main`, in linear light, where its buffer is laid out as that of
+    /// `shader` and holds the values of `preset`.
+    pub fn draw(&self, wgsl: &str, shader: &Shader, preset: &Preset, shot: &Shot) -> Picture {
+        let uniform = shader.interface().uniform.as_ref().expect("the frame is live");
+        let mut bytes = shader.uniform_bytes(preset).expect("the preset fits");
+        set_frame(&mut bytes, uniform, shot, [0.0, 0.0]);
+        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+        let buffer = self.buffer(bytes.len() as u64, usage);
+        self.queue.write_buffer(&buffer, 0, &bytes);
+        let pipeline = self.pipeline(wgsl);
+        let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: None,
+            layout: &pipeline.get_bind_group_layout(uniform.group),
+            entries: &[wgpu::BindGroupEntry {
+                binding: uniform.binding,
+                resource: buffer.as_entire_binding(),
+            }],
+        });
+        let texture = self.texture(shot);
+        let mut commands = self.device.create_command_encoder(&Default::default());
+        let view = texture.create_view(&Default::default());
+        let mut pass = commands.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &view,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations::default(),
+            })],
+            ..Default::default()
+        });
+        pass.set_pipeline(&pipeline);
+        pass.set_bind_group(uniform.group, &group, &[]);
+        pass.draw(0..3, 0..1);
+        drop(pass);
+        self.read(commands, &texture, shot)
+    }
+
+    fn pipeline(&self, wgsl: &str) -> wgpu::RenderPipeline {
+        let source = wgpu::ShaderSource::Wgsl(wgsl.into());
+        let module =
+            self.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source });
+        let target = wgpu::ColorTargetState {
+            format: wgpu::TextureFormat::Rgba32Float,
+            blend: None,
+            write_mask: wgpu::ColorWrites::ALL,
+        };
+        self.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: None,
+            layout: None,
+            vertex: wgpu::VertexState {
+                module: &module,
+                entry_point: Some("vertex_main"),
+                compilation_options: Default::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &module,
+                entry_point: Some("fragment_main"),
+                compilation_options: Default::default(),
+                targets: &[Some(target)],
+            }),
+            multiview_mask: None,
+            cache: None,
+        })
+    }
+
+    fn buffer(&self, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
+        self.device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
+    }
+
+    fn texture(&self, shot: &Shot) -> wgpu::Texture {
+        self.device.create_texture(&wgpu::TextureDescriptor {
+            label: None,
+            size: wgpu::Extent3d { width: shot.width, height: shot.height, depth_or_array_layers: 1 },
+            mip_level_count: 1,
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: wgpu::TextureFormat::Rgba32Float,
+            usage: wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC,
+            view_formats: &[],
+        })
+    }
+
+    fn read(&self, mut commands: wgpu::CommandEncoder, texture: &wgpu::Texture, shot: &Shot) -> Picture {
+        let row = (shot.width * 16).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let size = u64::from(row) * u64::from(shot.height);
+        let buffer = self.buffer(size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
+        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
+        let to = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
+        commands.copy_texture_to_buffer(texture.as_image_copy(), to, texture.size());
+        self.queue.submit([commands.finish()]);
+        buffer.map_async(wgpu::MapMode::Read, .., |outcome| outcome.expect("it is mapped"));
+        self.device.poll(wgpu::PollType::wait_indefinitely()).expect("the work is done");
+        let bytes = buffer.get_mapped_range(..).expect("it is mapped");
+        let value = |bytes: &[u8]| f32::from_le_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+        let pixel = |bytes: &[u8]| {
+            let encoded: [f32; 4] = std::array::from_fn(|i| value(&bytes[4 * i..]));
+            [srgb_decode(encoded[0]), srgb_decode(encoded[1]), srgb_decode(encoded[2]), encoded[3]]
+        };
+        let rows = bytes.chunks_exact(row as usize);
+        let pixels = rows.flat_map(|row| row[..16 * shot.width as usize].chunks_exact(16).map(pixel).collect::<Vec<_>>());
+        Picture { width: shot.width, height: shot.height, pixels: pixels.collect() }
+    }
+}
+
+/// How alike two pictures are when shown (dB, of sRGB values cut to 0 .. 1); infinite where they are the same.
+pub fn psnr(a: &Picture, b: &Picture) -> f64 {
+    let shown = |value: f32| f64::from(orogen::render::srgb_encode(value).clamp(0.0, 1.0));
+    let pairs = a.pixels.iter().zip(&b.pixels).flat_map(|(a, b)| (0..3).map(|i| (shown(a[i]), shown(b[i]))));
+    let sum: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
+    let mean = sum / (3 * a.pixels.len()) as f64;
+    if mean == 0.0 { f64::INFINITY } else { -10.0 * mean.log10() }
+}
