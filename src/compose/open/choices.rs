@@ -4,7 +4,7 @@
 //! (`terrain_basis_simplex`), a bool one for the other value (`terrain_eroded`, or `no_terrain_eroded` where true is the
 //! default), a whole number one for each stretch of values that conditions tell apart, named by the largest of them.
 
-use super::formula::{Formula, Full};
+use super::formula::{Formula, Full, Values};
 use crate::compose::decide::Known;
 use crate::preset::{Declarations, Knob, Settings};
 use crate::syntax::{Expr, OptionKind, OptionValue, Operator, Term};
@@ -77,7 +77,11 @@ impl Choices {
                 return Err(NoFormula::Many(index));
             }
         }
-        let full = domains.iter().map(|domain| u64::MAX >> (64 - domain.values.len().max(1))).collect();
+        let full = domains.iter().map(|domain| {
+            let default = domain.features.iter().position(Option::is_none).unwrap_or(0);
+            Values { all: u64::MAX >> (64 - domain.values.len().max(1)), default: 1 << default }
+        });
+        let full = full.collect();
         Ok(Self { domains, full })
     }
 
@@ -254,49 +258,73 @@ fn integers(flat: &str, range: Option<(i64, i64)>, chosen: OptionValue, cuts: &[
     }
 }
 
-/// Notes, by option, between which whole numbers `expr` may decide otherwise.
+/// Notes, by option, between which whole numbers and the next one `expr` may decide otherwise.
 pub(super) fn note_cuts(expr: &Expr, known: &Known<'_>, cuts: &mut [Vec<i64>]) {
-    let numbers: Vec<f64> = expr
-        .terms
-        .iter()
-        .filter_map(|term| if let Term::Number(value) = term.value { Some(value) } else { None })
-        .collect();
-    // Which number stands beside which option is not looked into: a cut too many costs a feature, and one too few is wrong.
+    enum Side {
+        Number(f64),
+        Whole(usize),
+        Other,
+    }
+    let mut stack = Vec::new();
     for term in &expr.terms {
-        if let Term::Name(name) = &term.value
-            && let Some(Knob::Option(index)) = known.find(name)
-            && let OptionKind::Integer(_) = known.declarations.options[index].decl.kind
-        {
-            for at in comparisons(expr, &numbers) {
-                if !cuts[index].contains(&at) {
-                    cuts[index].push(at);
+        let side = match &term.value {
+            Term::Number(value) => Side::Number(*value),
+            Term::Name(name) => match known.find(name) {
+                Some(Knob::Option(index)) if is_whole(known, index) => Side::Whole(index),
+                _ => Side::Other,
+            },
+            Term::Bool(_) => Side::Other,
+            Term::Apply(Operator::Not) => continue,
+            Term::Apply(operator) => {
+                match (stack.pop(), stack.pop()) {
+                    (Some(Side::Number(number)), Some(Side::Whole(index))) => {
+                        cuts[index].extend(ends(*operator, number));
+                    }
+                    (Some(Side::Whole(index)), Some(Side::Number(number))) => {
+                        cuts[index].extend(ends(mirrored(*operator), number));
+                    }
+                    (Some(Side::Whole(a)), Some(Side::Whole(b))) => {
+                        for index in [a, b] {
+                            cuts[index].extend(every_value(known, index));
+                        }
+                    }
+                    _ => {}
                 }
+                Side::Other
             }
-        }
+        };
+        stack.push(side);
     }
 }
 
-/// The last whole number on the lower side of each comparison with one of `numbers`.
-fn comparisons(expr: &Expr, numbers: &[f64]) -> Vec<i64> {
-    let has = |wanted: &[Operator]| {
-        expr.terms.iter().any(|term| matches!(&term.value, Term::Apply(operator) if wanted.contains(operator)))
-    };
-    let mut ends = Vec::new();
-    for number in numbers {
-        // `<` and `>=` part n - 1 from n, `<=` and `>` part n from n + 1, `==` and `!=` do both; so does either, read from
-        // the right.
-        let (mut below, mut above) = (false, false);
-        if has(&[Operator::Equal, Operator::NotEqual]) {
-            (below, above) = (true, true);
-        }
-        above |= has(&[Operator::LessEqual, Operator::Greater]);
-        below |= has(&[Operator::Less, Operator::GreaterEqual]);
-        if below {
-            ends.push(number.ceil() as i64 - 1);
-        }
-        if above {
-            ends.push(number.floor() as i64);
-        }
+fn is_whole(known: &Known<'_>, index: usize) -> bool {
+    matches!(known.declarations.options[index].decl.kind, OptionKind::Integer(_))
+}
+
+/// The values of a whole number, as far as they may be told apart, and one more.
+fn every_value(known: &Known<'_>, index: usize) -> Vec<i64> {
+    let OptionKind::Integer(range) = known.declarations.options[index].decl.kind else { return Vec::new() };
+    let (low, high) = range.unwrap_or((i64::from(i32::MIN), i64::from(i32::MAX)));
+    (low..=high).take(MOST + 1).collect()
+}
+
+/// `operator` with its sides exchanged.
+fn mirrored(operator: Operator) -> Operator {
+    match operator {
+        Operator::Less => Operator::Greater,
+        Operator::LessEqual => Operator::GreaterEqual,
+        Operator::Greater => Operator::Less,
+        Operator::GreaterEqual => Operator::LessEqual,
+        same => same,
     }
-    ends
+}
+
+/// The last whole numbers before `value operator number` changes.
+fn ends(operator: Operator, number: f64) -> Vec<i64> {
+    let (below, at) = (number.ceil() as i64 - 1, number.floor() as i64); // casts saturate
+    match operator {
+        Operator::Less | Operator::GreaterEqual => vec![below],
+        Operator::LessEqual | Operator::Greater => vec![at],
+        _ => vec![below, at],
+    }
 }

@@ -56,8 +56,10 @@ enum Kind {
 struct Open {
     /// When the current branch is in, of itself.
     now: Formula,
-    /// When one of the branches before it is.
-    before: Formula,
+    /// What the branches before it ask for.
+    before: Vec<Formula>,
+    /// What it asks for itself.
+    asks: Formula,
 }
 
 struct Cutter<'a> {
@@ -119,13 +121,15 @@ impl Cutter<'_> {
         match (kind, self.open.last_mut()) {
             (kind, _) if !kind.is_condition() => {}
             _ if in_middle => return Err(()),
-            (DirectiveKind::If(_), _) => self.open.push(Open { now: condition, before: Formula::NEVER }),
+            (DirectiveKind::If(_), _) => {
+                self.open.push(Open { now: condition.clone(), before: Vec::new(), asks: condition });
+            }
             _ if opened_outside => return Err(()),
             (DirectiveKind::Endif, _) => drop(self.open.pop()),
             (_, Some(open)) => {
-                let before = Formula::any([open.before.clone(), open.now.clone()], self.full);
-                open.now = Formula::all([before.not(self.full), condition], self.full);
-                open.before = before;
+                open.before.push(std::mem::replace(&mut open.asks, condition.clone()));
+                let not_before = open.before.iter().map(|before| before.not(self.full));
+                open.now = Formula::all(not_before.chain([condition]), self.full);
             }
             (_, None) => {}
         }

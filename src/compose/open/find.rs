@@ -12,7 +12,7 @@ use crate::compose::select::known;
 use crate::diagnostic::{ENOUGH, nearest};
 use crate::preset::Knob;
 use crate::source::Span;
-use crate::syntax::{DirectiveKind, OptionKind, Reference, Slot};
+use crate::syntax::{DirectiveKind, OptionKind, Reference, Slot, TokenKind, lex};
 
 /// What a name is.
 enum Found {
@@ -263,6 +263,10 @@ impl<'a> Finder<'a> {
     fn slot(&self, instance: usize, name: &str, made: &mut OpenModule) {
         let Some(slot) = self.slots[instance].iter().find(|slot| slot.name.value == name) else { return };
         let fillers = self.fillers(instance, name, 0);
+        let is_written_here = |filler: &Filler| matches!(filler, Filler::BuiltIn(_));
+        if fillers.is_empty() || fillers.iter().any(|(filler, _)| is_written_here(filler)) {
+            self.types(instance, slot, made);
+        }
         if fillers.is_empty() {
             made.slots.push((*slot).clone());
         }
@@ -273,6 +277,23 @@ impl<'a> Finder<'a> {
                     made.imports.push(Import { module, name: target, alias, when });
                 }
                 Filler::BuiltIn(target) => made.built_in.push(((*slot).clone(), target, when)),
+            }
+        }
+    }
+
+    /// Takes in the types that a slot's signature names.
+    fn types(&self, instance: usize, slot: &Slot, made: &mut OpenModule) {
+        for ty in slot.signature.takes.iter().chain(&slot.signature.gives) {
+            for (kind, span) in lex(ty).iter() {
+                let Found::Declared(declared) = (match kind {
+                    TokenKind::Ident => self.find(instance, &ty[span.range()]),
+                    _ => Found::Foreign,
+                }) else {
+                    continue;
+                };
+                for (owner, name, when) in declared.into_iter().filter(|(owner, ..)| *owner != instance) {
+                    made.imports.push(Import { module: owner, name, alias: None, when });
+                }
             }
         }
     }

@@ -11,8 +11,24 @@ pub(crate) enum Formula {
     Any(Vec<Formula>),
 }
 
-/// All values of each option.
-pub(crate) type Full = Vec<u64>;
+/// All values of each option, and the one that it has where nothing is said.
+pub(crate) type Full = Vec<Values>;
+
+/// The values of an option.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Values {
+    /// All of them.
+    pub(crate) all: u64,
+    /// The default.
+    pub(crate) default: u64,
+}
+
+impl Values {
+    /// How many words it takes to say `some` of them: the default has none, and is said by the others' absence.
+    fn words(self, some: u64) -> u32 {
+        if some & self.default == 0 { some.count_ones() } else { (self.all & !some).count_ones() }
+    }
+}
 
 impl Formula {
     /// Holds whatever is chosen.
@@ -32,9 +48,9 @@ impl Formula {
 
     /// `option` has one of `values`.
     pub(crate) fn is(option: usize, values: u64, full: &Full) -> Self {
-        match values & full[option] {
+        match values & full[option].all {
             0 => Self::NEVER,
-            all if all == full[option] => Self::ALWAYS,
+            all if all == full[option].all => Self::ALWAYS,
             some => Self::Is(option, some),
         }
     }
@@ -84,7 +100,12 @@ impl Formula {
             Self::Is(own, allowed) if own == option => match allowed & values {
                 0 => Self::NEVER,
                 left if left == values => Self::ALWAYS,
-                _ => Self::Is(own, allowed),
+                left => {
+                    // What is known not to be may be said or not.
+                    let wide = left | (full[own].all & !values);
+                    let shorter = full[own].words(wide) < full[own].words(left);
+                    Self::Is(own, if shorter { wide } else { left })
+                }
             },
             Self::Is(..) => self,
             Self::All(parts) => Self::all(parts.into_iter().map(|part| part.given(option, values, full)), full),
@@ -118,14 +139,14 @@ fn merged(parts: Vec<Formula>, all: bool, full: &Full) -> Option<Vec<Formula>> {
             other => rest.push(other),
         }
     }
-    if sets.iter().any(|(option, values)| *values == if all { 0 } else { full[*option] }) {
+    if sets.iter().any(|(option, values)| *values == if all { 0 } else { full[*option].all }) {
         return None;
     }
     let mut merged: Vec<Formula> = sets.iter().map(|(option, values)| Formula::Is(*option, *values)).collect();
     let mut changed = false;
     for part in rest {
         let known = sets.iter().fold(part.clone(), |part, (option, values)| {
-            let known = if all { *values } else { full[*option] & !values };
+            let known = if all { *values } else { full[*option].all & !values };
             part.given(*option, known, full)
         });
         if known == if all { Formula::NEVER } else { Formula::ALWAYS } {
@@ -160,7 +181,7 @@ mod tests {
 
     /// Three options of two, three and four values.
     fn full() -> Full {
-        vec![0b11, 0b111, 0b1111]
+        [0b11, 0b111, 0b1111].map(|all| Values { all, default: 0b10 }).to_vec()
     }
 
     fn holds(formula: &Formula, chosen: &[usize]) -> bool {
