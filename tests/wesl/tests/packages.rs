@@ -2,14 +2,18 @@
 
 mod harness;
 
-use harness::{Device, add, compile, psnr, validate};
+use harness::{Device, add, compile, compile_with, frame, module, psnr, validate};
 use orogen::export::{LibraryStyle, Package, library_features, library_package, package};
-use orogen::render::{Shot, render};
+use orogen::render::{Picture, Shot, render};
 use orogen::{Bake, Compose, Library, Preset, Shader, Templates};
-use wesl::VirtualResolver;
+use wesl::{CompileOptions, VirtualResolver};
 
 /// A landscape, one with clouds and its camera in the air, and a planet.
 const PRESETS: [&str; 3] = ["alpine", "flight", "earth"];
+
+/// Small: software GPUs draw it in seconds.
+const SHOT: Shot =
+    Shot { width: 64, height: 36, samples: 1, time: 0.0, delta: None, index: 0, mouse: None, tile: None };
 
 fn composed(preset: &Preset, bake: &Bake) -> (Shader, Package) {
     let shader = Compose::default().run(&Library::standard(), preset, bake).expect("it is valid");
@@ -39,19 +43,64 @@ fn every_module_of_a_preset_s_package_compiles_to_valid_wgsl() {
     }
 }
 
+/// What the module `main` of `resolver` draws with `features`.
+fn drawn(device: &Device, resolver: &VirtualResolver<'_>, features: &[String]) -> Picture {
+    let wgsl = compile(resolver, "main", features, false).unwrap_or_else(|why| panic!("{why}"));
+    validate(&wgsl).unwrap_or_else(|why| panic!("{why}"));
+    let parameters = resolver.get_module(&module("parameters")).expect("there are some");
+    device.draw(&wgsl, "fragment_main", &[(0, 0, frame(parameters, &SHOT))], &SHOT)
+}
+
+/// What `orogen render` draws.
+fn rendered(device: &Device, preset: &Preset) -> Picture {
+    let (shader, _) = composed(preset, &Bake::constants());
+    render(&device.gpu(), &shader, preset, &SHOT, &mut |_, _| {}).expect("it is drawn")
+}
+
+fn assert_alike(what: &str, a: &Picture, b: &Picture) {
+    let alike = psnr(a, b);
+    println!("{what}: {alike:.1} dB");
+    assert!(alike >= 50.0, "{what}: {alike:.1} dB");
+}
+
 #[test]
 fn pictures_through_wesl_are_those_of_orogen_render() {
     let device = Device::new();
     for name in PRESETS {
         let preset = Preset::named(name).expect("is built in");
-        let (shader, package) = composed(&preset, &Bake::constants());
-        let wgsl = compile(&alone(&package), &package.root, &[], false).expect("it compiles");
-        let shot = Shot::new(64, 36);
-        let ours = render(&device.gpu(), &shader, &preset, &shot, &mut |_, _| {}).expect("it is drawn");
-        let alike = psnr(&ours, &device.draw(&wgsl, &shader, &preset, &shot));
-        println!("{name}: {alike:.1} dB");
-        assert!(alike >= 50.0, "{name}: {alike:.1} dB");
+        let (_, package) = composed(&preset, &Bake::constants());
+        assert_alike(name, &rendered(&device, &preset), &drawn(&device, &alone(&package), &[]));
     }
+}
+
+#[test]
+fn a_constant_that_is_changed_does_what_the_preset_s_parameter_does() {
+    let device = Device::new();
+    let mut preset = Preset::named("alpine").expect("is built in");
+    let (_, mut package) = composed(&preset, &Bake::constants());
+    let before = drawn(&device, &alone(&package), &[]);
+    preset.set("sun.elevation=5").expect("is a parameter");
+    preset.set("sun.color=[1, 0.4, 0.1]").expect("is a parameter");
+    let (_, other) = composed(&preset, &Bake::constants());
+    let of_other = other.file("parameters.wesl").expect("it is there").to_owned();
+    let parameters = package.files.iter_mut().find(|(path, _)| path == "parameters.wesl").expect("it is there");
+    parameters.1 = with_constants(&parameters.1, &of_other, |name| name.starts_with("sun_"));
+    let after = drawn(&device, &alone(&package), &[]);
+    assert!(psnr(&before, &after) < 30.0, "the sun is lower and redder");
+    assert_alike("a lower sun", &rendered(&device, &preset), &after);
+}
+
+/// `parameters` with those constants of `other` that `wanted` says.
+fn with_constants(parameters: &str, other: &str, wanted: impl Fn(&str) -> bool) -> String {
+    let name = |line: &str| Some(line.strip_prefix("const ")?.split_once(':')?.0.to_owned());
+    let mut text = String::new();
+    for line in parameters.lines() {
+        let same = name(line).filter(|known| wanted(known));
+        let changed = same.and_then(|known| other.lines().find(|line| name(line).as_ref() == Some(&known)));
+        text += changed.unwrap_or(line);
+        text.push('\n');
+    }
+    text
 }
 
 #[test]
@@ -68,25 +117,75 @@ fn every_module_of_the_whole_library_compiles_to_valid_wgsl() {
     }
 }
 
+/// Two roads to a preset through the whole library: its values as defaults and no feature on; and the library as it is, with the
+/// features of the preset's options on and its constants put in.
 #[test]
-fn the_whole_library_with_a_preset_s_features_draws_the_preset() {
+fn the_whole_library_draws_a_preset_by_features_and_constants() {
     let device = Device::new();
     let (library, templates) = (Library::standard(), Templates::standard());
+    let plain = library_package(&library, &LibraryStyle::default(), &templates).expect("it is written");
     for name in PRESETS {
         let preset = Preset::named(name).expect("is built in");
+        let ours = rendered(&device, &preset);
         let style = LibraryStyle { preset: Some(preset.clone()), ..LibraryStyle::default() };
-        let whole = library_package(&library, &style, &templates).expect("it is written");
-        let wgsl = compile(&alone(&whole), "main", &[], false).expect("it compiles");
-        validate(&wgsl).unwrap_or_else(|why| panic!("{name}: {why}"));
-        let (shader, package) = composed(&preset, &Bake::constants());
-        let decided = compile(&alone(&package), "main", &[], false).expect("it compiles");
+        let with_values = library_package(&library, &style, &templates).expect("it is written");
+        let first = drawn(&device, &alone(&with_values), &[]);
+        assert_alike(&format!("{name} as the default"), &ours, &first);
+
         let features = library_features(&library, &LibraryStyle::default(), &preset).expect("it fits");
-        println!("{name}: {features:?}");
-        println!("{name}: {} {}", wgsl.len(), decided.len());
-        let shot = Shot::new(64, 36);
-        let ours = render(&device.gpu(), &shader, &preset, &shot, &mut |_, _| {}).expect("it is drawn");
-        let alike = psnr(&ours, &device.draw(&wgsl, &shader, &preset, &shot));
-        println!("{name}: {alike:.1} dB");
-        assert!(alike >= 50.0, "{name}: {alike:.1} dB");
+        assert!(!features.is_empty(), "{name} differs from the defaults");
+        let file = |package: &Package, path: &str| package.file(path).expect("it is there").to_owned();
+        let values = file(&with_values, "parameters.wesl");
+        let values = with_constants(&file(&plain, "parameters.wesl"), &values, |_| true);
+        let mut resolver = alone(&plain);
+        resolver.add_module(module("parameters"), values.into());
+        resolver.add_module(module("main"), file(&with_values, "main.wesl").into());
+        assert_alike(&format!("{name} by features"), &ours, &drawn(&device, &resolver, &features));
     }
+}
+
+/// The snippet in `language` number `index` of the page about Bevy.
+fn snippet(language: &str, index: usize) -> String {
+    let page = include_str!("../../../docs/bevy.md");
+    let fence = format!("```{language}\n");
+    let start = page.match_indices(&fence).nth(index).expect("there is one").0 + fence.len();
+    page[start..].split_once("```").expect("it ends").0.to_owned()
+}
+
+/// What `docs/bevy.md` says about shaders holds; Bevy itself is not built.
+#[test]
+fn the_shader_for_bevy_compiles_as_bevy_does_it_and_draws_the_sky() {
+    let preset = Preset::named("golden-hour").expect("is built in");
+    let bake = Bake::live(["sun.azimuth", "sun.elevation"]).at_binding(3, 0);
+    let mut composer = Compose { module: Some("sky/sky.wgsl".into()), ..Compose::default() };
+    let shader = composer.run(&Library::standard(), &preset, &bake).expect("it is valid");
+    let package = package(&shader, &Templates::standard()).expect("it is written");
+    let text = snippet("wgsl", 0);
+    let mut resolver = VirtualResolver::new();
+    add(&mut resolver, "orogen/", &package);
+    resolver.add_module(module("shaders/sky"), text.clone().into());
+    let options = CompileOptions { lower: true, ..CompileOptions::default() };
+    let wgsl = compile_with(&resolver, "shaders/sky", &[], options).unwrap_or_else(|why| panic!("{why}"));
+    validate(&wgsl).unwrap_or_else(|why| panic!("{why}"));
+
+    // The fields of the structure in Rust are those of the buffer, in their order.
+    let rust = snippet("rust", 0);
+    let fields = rust.split_once("struct OrogenParams {").expect("it is there").1.split_once('}').expect("it ends").0;
+    let fields: Vec<_> = fields.lines().filter_map(|line| Some(line.trim().split_once(':')?.0)).collect();
+    let uniform = shader.interface().uniform.as_ref().expect("the sun is live");
+    assert_eq!(fields, uniform.fields.iter().map(|field| field.name.as_str()).collect::<Vec<_>>());
+    assert_eq!((uniform.group, uniform.binding), (3, 0));
+
+    // The same fragment through Orogen alone.
+    let host: String = text.lines().filter(|line| !line.starts_with("import ")).collect::<Vec<_>>().join("\n");
+    let library = Library::standard().with_file("host.wgsl", format!("#include <sky/sky.wgsl>\n{host}\n"));
+    let mut composer = Compose { module: Some("host.wgsl".into()), ..Compose::default() };
+    let host = composer.run(&library, &preset, &bake).expect("it is valid");
+    let eye: Vec<u8> = [0.0f32, 2.0, 0.0, 1.0].iter().flat_map(|value| value.to_le_bytes()).collect();
+    let device = Device::new();
+    let buffers = [(3, 0, shader.uniform_bytes(&preset).expect("it fits")), (3, 1, eye)];
+    let ours = device.draw(host.wgsl(), "fragment", &buffers, &SHOT);
+    let theirs = device.draw(&wgsl, "fragment", &buffers, &SHOT);
+    assert!(ours.pixels.iter().any(|pixel| pixel[2] > 0.05), "there is light in the sky");
+    assert_alike("the sky for Bevy", &ours, &theirs);
 }

@@ -1,10 +1,17 @@
 //! A package → WGSL, through the `wesl` crate; WGSL → a picture, on a wgpu of its own.
 
 use orogen::export::Package;
-use orogen::render::{Picture, Shot, set_frame, srgb_decode};
-use orogen::{Preset, Shader};
+use orogen::render::{Picture, Shot, srgb_decode};
 use wesl::syntax::{ModulePath, PathOrigin};
 use wesl::{CompileOptions, EscapeMangler, Feature, VirtualResolver};
+
+/// For fragments that stand alone.
+const TRIANGLE: &str = "
+struct Vertex { @builtin(position) position: vec4f, @location(0) world: vec4f }
+@vertex fn vertex_main(@builtin(vertex_index) i: u32) -> Vertex {
+    let at = vec2f(f32(i & 1u), f32(i >> 1u)) * 4.0 - 1.0;
+    return Vertex(vec4f(at, 0.0, 1.0), vec4f(at.x, 2.0 + at.y, -1.0, 1.0));
+}";
 
 /// Path of the module in the file `name`, which has no extension.
 pub fn module(name: &str) -> ModulePath {
@@ -27,7 +34,17 @@ pub fn compile(
     features: &[String],
     whole: bool,
 ) -> Result<String, String> {
-    let mut options = CompileOptions { keep_root: whole, ..CompileOptions::default() };
+    let options = CompileOptions { keep_root: whole, ..CompileOptions::default() };
+    compile_with(resolver, root, features, options)
+}
+
+/// The same, with `options` but for the features.
+pub fn compile_with(
+    resolver: &VirtualResolver<'_>,
+    root: &str,
+    features: &[String],
+    mut options: CompileOptions,
+) -> Result<String, String> {
     options.features.flags = features.iter().map(|name| (name.clone(), Feature::Enable)).collect();
     wesl::compile(&module(root), resolver, &EscapeMangler, &options)
         .map(|compiled| compiled.to_string())
@@ -65,24 +82,22 @@ impl Device {
         orogen::render::Gpu::of(&self.device, &self.queue)
     }
 
-    /// What `wgsl` draws with `vertex_main` and `fragment_main`, in linear light, where its buffer is laid out as that of
-    /// `shader` and holds the values of `preset`.
-    pub fn draw(&self, wgsl: &str, shader: &Shader, preset: &Preset, shot: &Shot) -> Picture {
-        let uniform = shader.interface().uniform.as_ref().expect("the frame is live");
-        let mut bytes = shader.uniform_bytes(preset).expect("the preset fits");
-        set_frame(&mut bytes, uniform, shot, [0.0, 0.0]);
-        let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
-        let buffer = self.buffer(bytes.len() as u64, usage);
-        self.queue.write_buffer(&buffer, 0, &bytes);
-        let pipeline = self.pipeline(wgsl);
-        let group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: None,
-            layout: &pipeline.get_bind_group_layout(uniform.group),
-            entries: &[wgpu::BindGroupEntry {
-                binding: uniform.binding,
-                resource: buffer.as_entire_binding(),
-            }],
-        });
+    /// What the fragment entry point `entry` of `wgsl` draws, in linear light. `buffers` are uniform, each with its group and
+    /// its binding. Without a `vertex_main` of its own it gets a triangle over the picture, and at location 0 a place on the
+    /// wall 1 m ahead of the world's origin.
+    pub fn draw(&self, wgsl: &str, entry: &str, buffers: &[(u32, u32, Vec<u8>)], shot: &Shot) -> Picture {
+        let pipeline = self.pipeline(wgsl, entry);
+        let mut groups: Vec<u32> = buffers.iter().map(|(group, ..)| *group).collect();
+        groups.dedup();
+        let bound: Vec<_> = buffers
+            .iter()
+            .map(|(group, binding, bytes)| {
+                let usage = wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST;
+                let buffer = self.buffer(bytes.len() as u64, usage);
+                self.queue.write_buffer(&buffer, 0, bytes);
+                (*group, *binding, buffer)
+            })
+            .collect();
         let texture = self.texture(shot);
         let mut commands = self.device.create_command_encoder(&Default::default());
         let view = texture.create_view(&Default::default());
@@ -96,16 +111,29 @@ impl Device {
             ..Default::default()
         });
         pass.set_pipeline(&pipeline);
-        pass.set_bind_group(uniform.group, &group, &[]);
+        for group in groups {
+            let entries = bound.iter().filter(|(known, ..)| *known == group).map(|(_, binding, buffer)| {
+                wgpu::BindGroupEntry { binding: *binding, resource: buffer.as_entire_binding() }
+            });
+            let bind_group = self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: None,
+                layout: &pipeline.get_bind_group_layout(group),
+                entries: &entries.collect::<Vec<_>>(),
+            });
+            pass.set_bind_group(group, &bind_group, &[]);
+        }
         pass.draw(0..3, 0..1);
         drop(pass);
         self.read(commands, &texture, shot)
     }
 
-    fn pipeline(&self, wgsl: &str) -> wgpu::RenderPipeline {
-        let source = wgpu::ShaderSource::Wgsl(wgsl.into());
-        let module =
-            self.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source });
+    fn pipeline(&self, wgsl: &str, entry: &str) -> wgpu::RenderPipeline {
+        let module = |text: &str| {
+            let source = wgpu::ShaderSource::Wgsl(text.into());
+            self.device.create_shader_module(wgpu::ShaderModuleDescriptor { label: None, source })
+        };
+        let vertex = if wgsl.contains("fn vertex_main(") { wgsl } else { TRIANGLE };
+        let (vertex, module) = (module(vertex), module(wgsl));
         let target = wgpu::ColorTargetState {
             format: wgpu::TextureFormat::Rgba32Float,
             blend: None,
@@ -115,7 +143,7 @@ impl Device {
             label: None,
             layout: None,
             vertex: wgpu::VertexState {
-                module: &module,
+                module: &vertex,
                 entry_point: Some("vertex_main"),
                 compilation_options: Default::default(),
                 buffers: &[],
@@ -125,7 +153,7 @@ impl Device {
             multisample: wgpu::MultisampleState::default(),
             fragment: Some(wgpu::FragmentState {
                 module: &module,
-                entry_point: Some("fragment_main"),
+                entry_point: Some(entry),
                 compilation_options: Default::default(),
                 targets: &[Some(target)],
             }),
@@ -171,6 +199,31 @@ impl Device {
         let pixels = rows.flat_map(|row| row[..16 * shot.width as usize].chunks_exact(16).map(pixel).collect::<Vec<_>>());
         Picture { width: shot.width, height: shot.height, pixels: pixels.collect() }
     }
+}
+
+/// The buffer that `parameters`, the module of that name, declares for what is live: the frame alone.
+pub fn frame(parameters: &str, shot: &Shot) -> Vec<u8> {
+    let fields = parameters.split_once("struct OrogenParams {").expect("the frame is live").1;
+    let fields = fields.split_once("\n}").expect("it ends").0;
+    let mut bytes = Vec::new();
+    for line in fields.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with("//")) {
+        let (name, ty) = line.split_once(": ").expect("it is a field");
+        let ty = ty.split(',').next().unwrap_or_default();
+        let (align, size) = match ty {
+            "f32" | "u32" => (4, 4),
+            "vec2f" => (8, 8),
+            "vec4f" => (16, 16),
+            other => panic!("what is the layout of `{other}`?"),
+        };
+        let at = bytes.len().next_multiple_of(align);
+        bytes.resize(at + size, 0);
+        if name == "frame_resolution" {
+            bytes[at..at + 4].copy_from_slice(&(shot.width as f32).to_le_bytes());
+            bytes[at + 4..at + 8].copy_from_slice(&(shot.height as f32).to_le_bytes());
+        }
+    }
+    bytes.resize(bytes.len().next_multiple_of(16), 0);
+    bytes
 }
 
 /// How alike two pictures are when shown (dB, of sRGB values cut to 0 .. 1); infinite where they are the same.
