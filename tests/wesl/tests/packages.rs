@@ -1,12 +1,15 @@
 //! WESL packages: every module compiles to WGSL that naga accepts, and the pictures are those of `orogen render`.
 
+#![allow(clippy::panic, clippy::print_stdout, reason = "a test fails by panicking, and says what it has measured")]
+
 mod harness;
 
-use harness::{Device, add, compile, compile_with, frame, module, psnr, validate};
+use harness::{Device, add, compile, frame, module, psnr, validate};
 use orogen::export::{LibraryStyle, Package, library_features, library_package, package};
 use orogen::render::{Picture, Shot, render};
+use orogen::source::preset_names;
 use orogen::{Bake, Compose, Library, Preset, Shader, Templates};
-use wesl::{CompileOptions, VirtualResolver};
+use wesl::VirtualResolver;
 
 /// A landscape, one with clouds and its camera in the air, and a planet.
 const PRESETS: [&str; 3] = ["alpine", "flight", "earth"];
@@ -24,7 +27,7 @@ fn composed(preset: &Preset, bake: &Bake) -> (Shader, Package) {
 /// The package alone in a folder of its own.
 fn alone(package: &Package) -> VirtualResolver<'_> {
     let mut resolver = VirtualResolver::new();
-    add(&mut resolver, "", package);
+    add(&mut resolver, package);
     resolver
 }
 
@@ -40,6 +43,19 @@ fn every_module_of_a_preset_s_package_compiles_to_valid_wgsl() {
             count += 1;
         }
         assert!(count > 30, "{name} has but {count} modules");
+    }
+}
+
+#[test]
+fn a_generic_fragment_s_package_has_its_slots_among_the_parameters() {
+    for path in ["fractal/jets.wgsl", "march/volume.wgsl"] {
+        let (_, package) = composed(&Preset::of_module(path), &Bake::constants().with_overrides(["*"]));
+        let resolver = alone(&package);
+        for module in package.modules() {
+            let wgsl = compile(&resolver, module, &[], true).unwrap_or_else(|why| panic!("{path}: {why}"));
+            validate(&wgsl).unwrap_or_else(|why| panic!("{path}: {module}: {why}"));
+        }
+        assert!(package.file("parameters.wesl").is_some_and(|text| text.contains("put a function of your own here")));
     }
 }
 
@@ -144,6 +160,24 @@ fn the_whole_library_draws_a_preset_by_features_and_constants() {
     }
 }
 
+#[test]
+fn the_features_of_every_preset_make_valid_scenes() {
+    let library = Library::standard();
+    let plain =
+        library_package(&library, &LibraryStyle::default(), &Templates::standard()).expect("it is written");
+    let resolver = alone(&plain);
+    let scenes = plain.modules().filter(|module| module.starts_with("scene/")).collect::<Vec<_>>();
+    assert!(scenes.len() >= 4, "{scenes:?}");
+    for name in preset_names() {
+        let preset = Preset::named(name).expect("is built in");
+        let features = library_features(&library, &LibraryStyle::default(), &preset).expect("it fits");
+        for scene in &scenes {
+            let wgsl = compile(&resolver, scene, &features, true).unwrap_or_else(|why| panic!("{name}: {why}"));
+            validate(&wgsl).unwrap_or_else(|why| panic!("{name}: {scene}: {why}"));
+        }
+    }
+}
+
 /// The snippet in `language` number `index` of the page about Bevy.
 fn snippet(language: &str, index: usize) -> String {
     let page = include_str!("../../../docs/bevy.md");
@@ -154,22 +188,29 @@ fn snippet(language: &str, index: usize) -> String {
 
 /// What `docs/bevy.md` says about shaders holds; Bevy itself is not built.
 #[test]
-fn the_shader_for_bevy_compiles_as_bevy_does_it_and_draws_the_sky() {
+fn the_shader_for_bevy_compiles_and_draws_the_sky() {
     let preset = Preset::named("golden-hour").expect("is built in");
     let bake = Bake::live(["sun.azimuth", "sun.elevation"]).at_binding(3, 0);
-    let mut composer = Compose { module: Some("sky/sky.wgsl".into()), ..Compose::default() };
+    let mut composer = Compose::default();
+    composer.module = Some("sky/sky.wgsl".into());
     let shader = composer.run(&Library::standard(), &preset, &bake).expect("it is valid");
     let package = package(&shader, &Templates::standard()).expect("it is written");
     let text = snippet("wgsl", 0);
-    let mut resolver = VirtualResolver::new();
-    add(&mut resolver, "orogen/", &package);
-    resolver.add_module(module("shaders/sky"), text.clone().into());
-    let options = CompileOptions { lower: true, ..CompileOptions::default() };
-    let wgsl = compile_with(&resolver, "shaders/sky", &[], options).unwrap_or_else(|why| panic!("{why}"));
+    let folder = tempfile::tempdir().expect("it can be made");
+    let files = package.files.iter().map(|(path, text)| (format!("orogen/{path}"), text));
+    for (path, text) in files.chain([("sky.wesl".into(), &text)]) {
+        let path = folder.path().join(path);
+        std::fs::create_dir_all(path.parent().expect("it has one")).expect("it can be made");
+        std::fs::write(path, text).expect("it can be written");
+    }
+    // As the page's `build.rs` does it.
+    let shaders = wesl::Wesl::new(folder.path());
+    let sky = shaders.compile(&"package::sky".parse().expect("it is a path")).unwrap_or_else(|why| panic!("{why}"));
+    let wgsl = sky.to_string();
     validate(&wgsl).unwrap_or_else(|why| panic!("{why}"));
 
     // The fields of the structure in Rust are those of the buffer, in their order.
-    let rust = snippet("rust", 0);
+    let rust = snippet("rust", 1);
     let fields = rust.split_once("struct OrogenParams {").expect("it is there").1.split_once('}').expect("it ends").0;
     let fields: Vec<_> = fields.lines().filter_map(|line| Some(line.trim().split_once(':')?.0)).collect();
     let uniform = shader.interface().uniform.as_ref().expect("the sun is live");
@@ -179,7 +220,7 @@ fn the_shader_for_bevy_compiles_as_bevy_does_it_and_draws_the_sky() {
     // The same fragment through Orogen alone.
     let host: String = text.lines().filter(|line| !line.starts_with("import ")).collect::<Vec<_>>().join("\n");
     let library = Library::standard().with_file("host.wgsl", format!("#include <sky/sky.wgsl>\n{host}\n"));
-    let mut composer = Compose { module: Some("host.wgsl".into()), ..Compose::default() };
+    composer.module = Some("host.wgsl".into());
     let host = composer.run(&library, &preset, &bake).expect("it is valid");
     let eye: Vec<u8> = [0.0f32, 2.0, 0.0, 1.0].iter().flat_map(|value| value.to_le_bytes()).collect();
     let device = Device::new();

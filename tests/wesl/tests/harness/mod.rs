@@ -14,37 +14,27 @@ struct Vertex { @builtin(position) position: vec4f, @location(0) world: vec4f }
 }";
 
 /// Path of the module in the file `name`, which has no extension.
-pub fn module(name: &str) -> ModulePath {
+pub(crate) fn module(name: &str) -> ModulePath {
     ModulePath::new(PathOrigin::Absolute, name.split('/').map(str::to_owned).collect())
 }
 
-/// The files of a package, laid below `folder` of a shader's root.
-pub fn add(resolver: &mut VirtualResolver<'_>, folder: &str, package: &Package) {
+/// The modules of a package, at the root.
+pub(crate) fn add(resolver: &mut VirtualResolver<'_>, package: &Package) {
     for (path, text) in &package.files {
         if let Some(name) = path.strip_suffix(".wesl") {
-            resolver.add_module(module(&format!("{folder}{name}")), text.clone().into());
+            resolver.add_module(module(name), text.clone().into());
         }
     }
 }
 
 /// Compiles the module `root` with `features` on: its entry points, or with `whole` all that it declares.
-pub fn compile(
+pub(crate) fn compile(
     resolver: &VirtualResolver<'_>,
     root: &str,
     features: &[String],
     whole: bool,
 ) -> Result<String, String> {
-    let options = CompileOptions { keep_root: whole, ..CompileOptions::default() };
-    compile_with(resolver, root, features, options)
-}
-
-/// The same, with `options` but for the features.
-pub fn compile_with(
-    resolver: &VirtualResolver<'_>,
-    root: &str,
-    features: &[String],
-    mut options: CompileOptions,
-) -> Result<String, String> {
+    let mut options = CompileOptions { keep_root: whole, ..CompileOptions::default() };
     options.features.flags = features.iter().map(|name| (name.clone(), Feature::Enable)).collect();
     wesl::compile(&module(root), resolver, &EscapeMangler, &options)
         .map(|compiled| compiled.to_string())
@@ -52,21 +42,21 @@ pub fn compile_with(
 }
 
 /// What naga says against `wgsl`.
-pub fn validate(wgsl: &str) -> Result<(), String> {
+pub(crate) fn validate(wgsl: &str) -> Result<(), String> {
     let module = naga::front::wgsl::parse_str(wgsl).map_err(|error| error.emit_to_string(wgsl))?;
     let mut validator = naga::valid::Validator::new(naga::valid::ValidationFlags::all(), Default::default());
     validator.validate(&module).map(drop).map_err(|error| error.emit_to_string(wgsl))
 }
 
 /// A software adapter, or whichever there is.
-pub struct Device {
+pub(crate) struct Device {
     device: wgpu::Device,
     queue: wgpu::Queue,
 }
 
 impl Device {
     /// Opens it.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
         let adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
         let wanted = std::env::var("WGPU_ADAPTER_NAME").unwrap_or_default().to_lowercase();
@@ -78,14 +68,14 @@ impl Device {
     }
 
     /// The same device, for Orogen.
-    pub fn gpu(&self) -> orogen::render::Gpu {
+    pub(crate) fn gpu(&self) -> orogen::render::Gpu {
         orogen::render::Gpu::of(&self.device, &self.queue)
     }
 
     /// What the fragment entry point `entry` of `wgsl` draws, in linear light. `buffers` are uniform, each with its group and
     /// its binding. Without a `vertex_main` of its own it gets a triangle over the picture, and at location 0 a place on the
     /// wall 1 m ahead of the world's origin.
-    pub fn draw(&self, wgsl: &str, entry: &str, buffers: &[(u32, u32, Vec<u8>)], shot: &Shot) -> Picture {
+    pub(crate) fn draw(&self, wgsl: &str, entry: &str, buffers: &[(u32, u32, Vec<u8>)], shot: &Shot) -> Picture {
         let pipeline = self.pipeline(wgsl, entry);
         let mut groups: Vec<u32> = buffers.iter().map(|(group, ..)| *group).collect();
         groups.dedup();
@@ -202,7 +192,7 @@ impl Device {
 }
 
 /// The buffer that `parameters`, the module of that name, declares for what is live: the frame alone.
-pub fn frame(parameters: &str, shot: &Shot) -> Vec<u8> {
+pub(crate) fn frame(parameters: &str, shot: &Shot) -> Vec<u8> {
     let fields = parameters.split_once("struct OrogenParams {").expect("the frame is live").1;
     let fields = fields.split_once("\n}").expect("it ends").0;
     let mut bytes = Vec::new();
@@ -227,7 +217,7 @@ pub fn frame(parameters: &str, shot: &Shot) -> Vec<u8> {
 }
 
 /// How alike two pictures are when shown (dB, of sRGB values cut to 0 .. 1); infinite where they are the same.
-pub fn psnr(a: &Picture, b: &Picture) -> f64 {
+pub(crate) fn psnr(a: &Picture, b: &Picture) -> f64 {
     let shown = |value: f32| f64::from(orogen::render::srgb_encode(value).clamp(0.0, 1.0));
     let pairs = a.pixels.iter().zip(&b.pixels).flat_map(|(a, b)| (0..3).map(|i| (shown(a[i]), shown(b[i]))));
     let sum: f64 = pairs.map(|(a, b)| (a - b).powi(2)).sum();
