@@ -231,7 +231,8 @@ fn a_wesl_package_takes_the_place_of_an_earlier_one_and_of_nothing_else() {
     let folder = folder();
     let package = folder.path().join("package");
     let shown = package.display().to_string();
-    let wesl = |what: &[&str], to: &str| orogen(&[&["export"], what, &["--target", "wesl", "-o", to]].concat());
+    let wesl =
+        |what: &[&str], to: &str| orogen(&[&["export"], what, &["--target", "wesl", "-o", to]].concat());
     let output = wesl(&["dunes"], &shown);
     assert_eq!(status(&output), 0, "{}", err(&output));
     let files = tree(&package);

@@ -104,7 +104,10 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
 }
 
 fn has_overrides(target: export::Target) -> bool {
-    matches!(target, export::Target::Wgsl | export::Target::Json | export::Target::Rust | export::Target::Wesl)
+    matches!(
+        target,
+        export::Target::Wgsl | export::Target::Json | export::Target::Rust | export::Target::Wesl
+    )
 }
 
 /// A WESL package of everything that the library has.
@@ -116,7 +119,9 @@ fn whole_library(args: &Export, common: &Common, stage: Option<export::Stage>) -
         ("--prefix", !args.prefix.is_empty()),
     ];
     if let Some((flag, _)) = parts.iter().find(|(_, given)| *given) {
-        return Err(Failure::Usage(format!("{flag} is for what a preset reaches: the whole library is written without it")));
+        return Err(Failure::Usage(format!(
+            "{flag} is for what a preset reaches: the whole library is written without it"
+        )));
     }
     let preset = match &args.preset {
         Some(name) => Some(input::preset(name, common)?),

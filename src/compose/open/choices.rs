@@ -7,7 +7,7 @@
 use super::formula::{Formula, Full, Values};
 use crate::compose::decide::Known;
 use crate::preset::{Declarations, Knob, Settings};
-use crate::syntax::{Expr, OptionKind, OptionValue, Operator, Term};
+use crate::syntax::{Expr, Operator, OptionKind, OptionValue, Term};
 
 /// How many values of one option conditions may tell apart.
 const MOST: usize = 64;
@@ -169,7 +169,9 @@ impl Choices {
             Operator::Or => return Formula::any([self.truth(left), self.truth(right)], &self.full),
             _ => {}
         }
-        if let (Operand::Formula(left), right) | (right, Operand::Formula(left)) = (left.clone(), right.clone()) {
+        if let (Operand::Formula(left), right) | (right, Operand::Formula(left)) =
+            (left.clone(), right.clone())
+        {
             // Of truths there is only whether they are the same.
             let right = self.truth(right);
             let (not_left, not_right) = (left.not(&self.full), right.not(&self.full));

@@ -83,7 +83,11 @@ pub(super) fn cut(
     full: &Full,
     word: impl Fn(&Formula) -> String,
 ) -> Result<Cut, Span> {
-    let cut = Cut { text: String::with_capacity(fragment.text.len()), stretches: Vec::new(), directives: Vec::new() };
+    let cut = Cut {
+        text: String::with_capacity(fragment.text.len()),
+        stretches: Vec::new(),
+        directives: Vec::new(),
+    };
     let level = Level { conditions: 0, item: None, round: 0, kind: Kind::File };
     let mut cutter =
         Cutter { fragment, full, cut, from: 0, open: Vec::new(), levels: vec![level], is_struct: false };

@@ -159,13 +159,16 @@ impl<'a> Finder<'a> {
     fn fillers(&self, instance: usize, name: &str, depth: usize) -> Vec<(Filler, Formula)> {
         let full = &self.opened.choices.full;
         let mut all: Vec<(Filler, Formula)> = Vec::new();
-        let mut add = |filler: Filler, when: Formula| match all.iter_mut().find(|(known, _)| *known == filler) {
+        let mut add = |filler: Filler, when: Formula| match all.iter_mut().find(|(known, _)| *known == filler)
+        {
             Some((_, known)) => *known = Formula::any([known.clone(), when], full),
             None => all.push((filler, when)),
         };
         for (includer, directive) in &self.includers[instance] {
             let Some(include) = self.opened.survey.graph.include(*includer, *directive) else { continue };
-            let Some((_, target)) = include.with.iter().find(|(slot, _)| slot.value == name) else { continue };
+            let Some((_, target)) = include.with.iter().find(|(slot, _)| slot.value == name) else {
+                continue;
+            };
             let present = &self.opened.cuts[*includer].directives[*directive];
             match self.find(*includer, &target.value) {
                 Found::Declared(declared) => {
@@ -198,12 +201,8 @@ impl<'a> Finder<'a> {
         errors: &mut Vec<ComposeError>,
     ) -> OpenModule {
         let (module, cut) = (&self.opened.modules[instance], &self.opened.cuts[instance]);
-        let mut made = OpenModule {
-            pieces: Vec::new(),
-            imports: Vec::new(),
-            slots: Vec::new(),
-            built_in: Vec::new(),
-        };
+        let mut made =
+            OpenModule { pieces: Vec::new(), imports: Vec::new(), slots: Vec::new(), built_in: Vec::new() };
         let mut words: BTreeMap<u32, (u32, OpenPiece)> = BTreeMap::new();
         let mut known: FxHashMap<u32, Option<String>> = FxHashMap::default();
         for reference in &module.references {
@@ -238,7 +237,9 @@ impl<'a> Finder<'a> {
                     continue;
                 }
                 Found::Group => self.member(instance, name, reference),
-                Found::Knob(knob) => self.readable(instance, knob, reference.span).map(|knob| (knob, reference.span)),
+                Found::Knob(knob) => {
+                    self.readable(instance, knob, reference.span).map(|knob| (knob, reference.span))
+                }
             };
             match knob {
                 Ok((knob, span)) => {

@@ -108,8 +108,12 @@ impl Formula {
                 }
             },
             Self::Is(..) => self,
-            Self::All(parts) => Self::all(parts.into_iter().map(|part| part.given(option, values, full)), full),
-            Self::Any(parts) => Self::any(parts.into_iter().map(|part| part.given(option, values, full)), full),
+            Self::All(parts) => {
+                Self::all(parts.into_iter().map(|part| part.given(option, values, full)), full)
+            }
+            Self::Any(parts) => {
+                Self::any(parts.into_iter().map(|part| part.given(option, values, full)), full)
+            }
         }
     }
 }
@@ -142,7 +146,8 @@ fn merged(parts: Vec<Formula>, all: bool, full: &Full) -> Option<Vec<Formula>> {
     if sets.iter().any(|(option, values)| *values == if all { 0 } else { full[*option].all }) {
         return None;
     }
-    let mut merged: Vec<Formula> = sets.iter().map(|(option, values)| Formula::Is(*option, *values)).collect();
+    let mut merged: Vec<Formula> =
+        sets.iter().map(|(option, values)| Formula::Is(*option, *values)).collect();
     let mut changed = false;
     for part in rest {
         let known = sets.iter().fold(part.clone(), |part, (option, values)| {
@@ -193,7 +198,8 @@ mod tests {
     }
 
     fn formulas() -> impl Strategy<Value = Formula> {
-        let leaf = (0usize..3, any::<u64>()).prop_map(|(option, values)| Formula::is(option, values, &full()));
+        let leaf =
+            (0usize..3, any::<u64>()).prop_map(|(option, values)| Formula::is(option, values, &full()));
         leaf.prop_recursive(4, 24, 4, |inner| {
             let list = proptest::collection::vec(inner, 0..4);
             prop_oneof![list.clone().prop_map(Formula::All), list.prop_map(Formula::Any)]
@@ -228,10 +234,16 @@ mod tests {
         let (a, b) = (Formula::Is(0, 0b01), Formula::Is(1, 0b001));
         let either = Formula::any([a.clone(), b.clone()], &full);
         assert_eq!(Formula::all([a.clone(), either.clone()], &full), a);
-        assert_eq!(Formula::all([a.not(&full), either.clone()], &full), Formula::all([a.not(&full), b.clone()], &full));
+        assert_eq!(
+            Formula::all([a.not(&full), either.clone()], &full),
+            Formula::all([a.not(&full), b.clone()], &full)
+        );
         assert_eq!(Formula::any([either.clone(), a.clone()], &full), either);
         assert!(Formula::any([a.clone(), a.not(&full)], &full).is_always());
         assert!(Formula::all([a.clone(), a.not(&full)], &full).is_never());
-        assert_eq!(Formula::all([Formula::Is(2, 0b0111), Formula::Is(2, 0b1110)], &full), Formula::Is(2, 0b0110));
+        assert_eq!(
+            Formula::all([Formula::Is(2, 0b0111), Formula::Is(2, 0b1110)], &full),
+            Formula::Is(2, 0b0110)
+        );
     }
 }

@@ -227,10 +227,13 @@ fn cut_all(survey: &Survey) -> Result<Opened<'_>, ComposeError> {
                 })?);
             }
         }
-        let cut = cut::cut(fragment, &conditions, &choices.full, |formula| choices.wesl(formula)).map_err(|span| {
-            let what = "the condition stands in the middle of a declaration, a statement or a member".into();
-            ComposeError::NotOpen { what, at: (file, span) }
-        })?;
+        let cut = cut::cut(fragment, &conditions, &choices.full, |formula| choices.wesl(formula)).map_err(
+            |span| {
+                let what =
+                    "the condition stands in the middle of a declaration, a statement or a member".into();
+                ComposeError::NotOpen { what, at: (file, span) }
+            },
+        )?;
         modules.push(split(&parse_fragment(cut.text.as_str().into()), &[]));
         cuts.push(cut);
     }

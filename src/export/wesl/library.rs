@@ -165,7 +165,8 @@ fn import_lines(
     };
     let mut lines: Vec<_> = from.into_iter().map(line).collect();
     let used = names(text).used;
-    let knobs: Vec<_> = used.iter().filter(|name| parameters.declared.contains(name)).map(String::as_str).collect();
+    let knobs: Vec<_> =
+        used.iter().filter(|name| parameters.declared.contains(name)).map(String::as_str).collect();
     if !knobs.is_empty() {
         lines.push((imports::line(&relative(path, &parameters.path), knobs), String::new()));
     }
@@ -194,7 +195,10 @@ fn constants(decl: &OptionDecl, index: usize, choices: &Choices) -> String {
 /// A stand-in for what nobody fills.
 fn open_slot(slot: &Slot) -> String {
     let body = slot.signature.gives.as_ref().map_or(String::new(), |ty| format!(" return {ty}(); "));
-    format!("\n/// A slot: put a function of your own here, or import one by this name.\n{} {{{body}}}\n", head(slot))
+    format!(
+        "\n/// A slot: put a function of your own here, or import one by this name.\n{} {{{body}}}\n",
+        head(slot)
+    )
 }
 
 /// A function of WGSL's own under the slot's name: it cannot be imported.

@@ -18,8 +18,8 @@ use crate::diagnostic::Error;
 use crate::shader::Shader;
 use crate::source::Templates;
 use crate::template;
-pub use library::{LibraryStyle, library_features, library_package};
 use imports::{Names, names, with_imports};
+pub use library::{LibraryStyle, library_features, library_package};
 use paths::Paths;
 
 /// The module of parameters, options and open slots.
@@ -54,7 +54,8 @@ impl Package {
     /// The modules that the `wesl.toml` of an earlier package lists; none where Orogen has not written it.
     pub fn listed(wesl_toml: &str) -> Option<Vec<String>> {
         let lines = wesl_toml.starts_with(MARK).then(|| wesl_toml.lines())?;
-        let listed = lines.filter_map(|line| line.trim().strip_prefix('"')?.strip_suffix("\",")).map(str::to_owned);
+        let listed =
+            lines.filter_map(|line| line.trim().strip_prefix('"')?.strip_suffix("\",")).map(str::to_owned);
         Some(listed.collect())
     }
 }
@@ -130,7 +131,8 @@ fn linked(modules: Vec<Module>, directives: &[String]) -> Vec<(String, String)> 
 
 /// The package with its `wesl.toml` and its README.
 fn finished(mut files: Vec<(String, String)>, root: String, readme: String) -> Package {
-    let mut toml = format!("{MARK} {}. Exporting again overwrites what is listed here.\n", env!("CARGO_PKG_VERSION"));
+    let mut toml =
+        format!("{MARK} {}. Exporting again overwrites what is listed here.\n", env!("CARGO_PKG_VERSION"));
     toml.push_str("edition = \"2026_pre\"\nroot = \".\"\ninclude = [\n");
     files.sort();
     for (path, _) in &files {

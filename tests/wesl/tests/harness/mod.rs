@@ -75,7 +75,13 @@ impl Device {
     /// What the fragment entry point `entry` of `wgsl` draws, in linear light. `buffers` are uniform, each with its group and
     /// its binding. Without a `vertex_main` of its own it gets a triangle over the picture, and at location 0 a place on the
     /// wall 1 m ahead of the world's origin.
-    pub(crate) fn draw(&self, wgsl: &str, entry: &str, buffers: &[(u32, u32, Vec<u8>)], shot: &Shot) -> Picture {
+    pub(crate) fn draw(
+        &self,
+        wgsl: &str,
+        entry: &str,
+        buffers: &[(u32, u32, Vec<u8>)],
+        shot: &Shot,
+    ) -> Picture {
         let pipeline = self.pipeline(wgsl, entry);
         let mut groups: Vec<u32> = buffers.iter().map(|(group, ..)| *group).collect();
         groups.dedup();
@@ -153,7 +159,12 @@ impl Device {
     }
 
     fn buffer(&self, size: u64, usage: wgpu::BufferUsages) -> wgpu::Buffer {
-        self.device.create_buffer(&wgpu::BufferDescriptor { label: None, size, usage, mapped_at_creation: false })
+        self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: None,
+            size,
+            usage,
+            mapped_at_creation: false,
+        })
     }
 
     fn texture(&self, shot: &Shot) -> wgpu::Texture {
@@ -173,7 +184,8 @@ impl Device {
         let row = (shot.width * 16).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
         let size = u64::from(row) * u64::from(shot.height);
         let buffer = self.buffer(size, wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST);
-        let layout = wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
+        let layout =
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(row), rows_per_image: None };
         let to = wgpu::TexelCopyBufferInfo { buffer: &buffer, layout };
         commands.copy_texture_to_buffer(texture.as_image_copy(), to, texture.size());
         self.queue.submit([commands.finish()]);
@@ -186,7 +198,8 @@ impl Device {
             [srgb_decode(encoded[0]), srgb_decode(encoded[1]), srgb_decode(encoded[2]), encoded[3]]
         };
         let rows = bytes.chunks_exact(row as usize);
-        let pixels = rows.flat_map(|row| row[..16 * shot.width as usize].chunks_exact(16).map(pixel).collect::<Vec<_>>());
+        let pixels = rows
+            .flat_map(|row| row[..16 * shot.width as usize].chunks_exact(16).map(pixel).collect::<Vec<_>>());
         Picture { width: shot.width, height: shot.height, pixels: pixels.collect() }
     }
 }
