@@ -319,10 +319,12 @@ pub enum ComposeError {
         known: String,
     },
     /// `OR0418`
-    #[error("{what}: it cannot be left open")]
+    #[error("{what}")]
     NotOpen {
-        /// What is in the way.
+        /// What cannot be left open, and why.
         what: String,
+        /// What to do.
+        help: &'static str,
         /// Where.
         at: At,
     },
@@ -460,9 +462,7 @@ impl From<ComposeError> for Diagnostic {
             }
             E::NotDeclared { nearest, known, .. } => Diagnostic::error("OR0417", message)
                 .help(did_you_mean(nearest).or_else(|| Some(format!("choose {known}")))),
-            E::NotOpen { at, .. } => d("OR0418", at, "here").help(Some(
-                "let it stand around whole declarations, statements or members; or export a preset, which decides it".into(),
-            )),
+            E::NotOpen { help, at, .. } => d("OR0418", at, "here").help(Some(help.into())),
             E::Reserved { at, .. } => d("OR0413", at, "reserved").help(Some("give it another name".into())),
         }
     }

@@ -37,8 +37,9 @@ fn alone(package: &Package) -> VirtualResolver<'_> {
 
 #[test]
 fn every_module_of_a_preset_s_package_compiles_to_valid_wgsl() {
+    let bake = Bake::live(["sun.*"]).with_overrides(["camera.*"]);
     for name in PRESETS {
-        let (_, package) = composed(&Preset::named(name).expect("is built in"), &Bake::live(["sun.*"]));
+        let (_, package) = composed(&Preset::named(name).expect("is built in"), &bake);
         let resolver = alone(&package);
         let mut count = 0;
         for module in package.modules() {
@@ -170,6 +171,109 @@ fn every_module_of_the_whole_library_compiles_to_valid_wgsl() {
     for module in modules {
         let wgsl = compile(&resolver, module, &[], true).unwrap_or_else(|why| panic!("{why}"));
         validate(&wgsl).unwrap_or_else(|why| panic!("{module}: {why}"));
+    }
+}
+
+/// A library in small: what each thing of our language becomes.
+fn small() -> Library {
+    let noise = "// Noise.\n\nfn rough(p: vec2f) -> f32 {\n    return p.x;\n}\n";
+    let sum = "\
+// A sum of any noise.
+
+/// What is summed.
+#slot noise: fn(p: vec2f) -> f32
+
+/// How much of it.
+#param strength.gain: f32 = 0.5, range 0 .. 1
+
+/// The sum.
+fn sum(p: vec2f) -> f32 {
+    return strength.gain * noise(p);
+}
+";
+    let land = "\
+// The land.
+
+#include <noise.wgsl>
+#include <sum.wgsl> as hills with noise = rough
+
+/// Whether there is a sea.
+#option land.sea = true
+/// What the land is like.
+#option land.kind = flat { flat, hilly, steep }
+/// How many times it is looked at.
+#option land.looks = 4, range 1 .. 16
+
+#if land.kind >= hilly && land.looks > 8
+const FORMS: i32 = 3;
+#elif land.kind >= hilly
+const FORMS: i32 = 2;
+#else
+const FORMS: i32 = 1;
+#endif
+
+/// Its height.
+fn land_height(p: vec2f) -> f32 {
+    var height = 0.0;
+#if land.kind != flat
+    height = hills_sum(p);
+#endif
+#if land.sea
+    return max(height, 0.0);
+#else
+    return height;
+#endif
+}
+";
+    Library::empty().with_file("noise.wgsl", noise).with_file("sum.wgsl", sum).with_file("land.wgsl", land)
+}
+
+#[test]
+fn options_become_features_and_instances_modules() {
+    let package =
+        library_package(&small(), &LibraryStyle::default(), &Templates::standard()).expect("it is written");
+    let land = "\
+// The land.
+
+import super::sum::hills::hills_sum;
+
+@if((land_kind_hilly || land_kind_steep) && land_looks_16)
+const FORMS: i32 = 3;
+@if(!land_looks_16 && (land_kind_hilly || land_kind_steep))
+const FORMS: i32 = 2;
+@if(!land_kind_hilly && !land_kind_steep)
+const FORMS: i32 = 1;
+
+/// Its height.
+fn land_height(p: vec2f) -> f32 {
+    var height = 0.0;
+    @if(land_kind_hilly || land_kind_steep) height = hills_sum(p);
+    @if(!no_land_sea) return max(height, 0.0);
+    @if(no_land_sea) return height;
+}
+";
+    assert_eq!(package.file("land.wesl"), Some(land));
+    let hills = "\
+// A sum of any noise.
+
+import super::super::noise::rough as noise;
+import super::super::parameters::hills_gain;
+
+/// The sum.
+fn hills_sum(p: vec2f) -> f32 {
+    return hills_gain * noise(p);
+}
+";
+    assert_eq!(package.file("sum/hills.wesl"), Some(hills));
+    let resolver = alone(&package);
+    for features in
+        [&[] as &[&str], &["land_kind_hilly"], &["land_kind_steep", "land_looks_16", "no_land_sea"]]
+    {
+        let features: Vec<_> = features.iter().map(|name| (*name).to_owned()).collect();
+        for module in package.modules() {
+            let wgsl = compile(&resolver, module, &features, true).unwrap_or_else(|why| panic!("{why}"));
+            validate(&wgsl).unwrap_or_else(|why| panic!("{module}: {why}"));
+        }
     }
 }
 
