@@ -10,10 +10,10 @@ use crate::preset::{Declarations, Knob, Settings};
 use crate::syntax::{Expr, Operator, OptionKind, OptionValue, Term};
 
 /// How many values of one option conditions may tell apart.
-const MOST: usize = 64;
+pub(super) const MOST: usize = 64;
 
 /// How many steps a condition may have.
-const LONGEST: usize = 256;
+pub(super) const LONGEST: usize = 256;
 
 /// The values of one option that conditions tell apart.
 #[derive(Debug, Clone)]

@@ -26,8 +26,15 @@ use crate::diagnostic::{Diagnostic, Error};
 use crate::preset::{self, Declarations, Knob, Preset};
 use crate::source::{Library, Source};
 use crate::syntax::{DirectiveKind, Module, OptionValue, Slot, parse_fragment, split};
-use choices::NoFormula;
+use choices::{LONGEST, MOST, NoFormula};
 use cut::Cut;
+
+/// What to do about what cannot be left open.
+const DECIDED: &str = "export a preset, which decides it";
+
+/// The same, about a condition that cuts something through.
+const AROUND: &str =
+    "let it stand around whole declarations, statements or members; or export a preset, which decides it";
 
 /// The whole library.
 pub(crate) struct Open {
@@ -206,8 +213,10 @@ fn cut_all(survey: &Survey) -> Result<Opened<'_>, ComposeError> {
     }
     let too_many = |index: usize| {
         let declared = &survey.declarations.options[index];
-        let what = format!("conditions tell too many values of `{}` apart", declared.decl.key);
-        ComposeError::NotOpen { what, at: (declared.file, declared.span) }
+        let key = &declared.decl.key;
+        let what =
+            format!("`{key}` cannot be left open: conditions tell more than {MOST} of its values apart");
+        ComposeError::NotOpen { what, help: DECIDED, at: (declared.file, declared.span) }
     };
     let choices = match Choices::new(&survey.declarations, &survey.settings, &numbers) {
         Ok(choices) => choices,
@@ -222,7 +231,8 @@ fn cut_all(survey: &Survey) -> Result<Opened<'_>, ComposeError> {
         for placed in &fragment.directives {
             if let DirectiveKind::If(expr) | DirectiveKind::Elif(expr) = &placed.directive.kind {
                 conditions.push(choices.formula(expr, &known).map_err(|_| ComposeError::NotOpen {
-                    what: "the condition is too long".into(),
+                    what: format!("a condition of more than {LONGEST} steps cannot be left open"),
+                    help: DECIDED,
                     at: (file, placed.directive.span),
                 })?);
             }
@@ -230,8 +240,8 @@ fn cut_all(survey: &Survey) -> Result<Opened<'_>, ComposeError> {
         let cut = cut::cut(fragment, &conditions, &choices.full, |formula| choices.wesl(formula)).map_err(
             |span| {
                 let what =
-                    "the condition stands in the middle of a declaration, a statement or a member".into();
-                ComposeError::NotOpen { what, at: (file, span) }
+                    "a condition in the middle of a declaration, a statement or a member cannot be left open";
+                ComposeError::NotOpen { what: what.into(), help: AROUND, at: (file, span) }
             },
         )?;
         modules.push(split(&parse_fragment(cut.text.as_str().into()), &[]));
