@@ -239,7 +239,7 @@ import super::sum::hills::hills_sum;
 
 @if((land_kind_hilly || land_kind_steep) && land_looks_16)
 const FORMS: i32 = 3;
-@if(!land_looks_16 && (land_kind_hilly || land_kind_steep))
+@if((land_kind_hilly || land_kind_steep) && !land_looks_16)
 const FORMS: i32 = 2;
 @if(!land_kind_hilly && !land_kind_steep)
 const FORMS: i32 = 1;
