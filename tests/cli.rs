@@ -91,6 +91,11 @@ fn what_makes_no_sense_exits_with_2() {
         &["export"],
         &["export", "alpine", "--target", "pdf"],
         &["export", "alpine", "--source-map"],
+        &["export", "alpine", "--target", "wesl"],
+        &["export", "--target", "wesl"],
+        &["export", "--target", "wesl", "--only", "pcg", "-o", "no/such/folder"],
+        &["export", "--target", "wesl", "--set", "sun.elevation=6", "-o", "no/such/folder"],
+        &["export", "alpine", "--target", "wesl", "--minify", "-o", "no/such/folder"],
         &["export", "alpine", "--minify", "--target", "spirv"],
         &["export", "alpine", "--minify", "--target", "json"],
         &["export", "alpine", "--target", "glsl", "--stage", "compute"],
@@ -200,6 +205,62 @@ fn export_writes_each_target() {
     let printed = orogen(&["export", "dunes"]);
     let written = fs::read(folder.path().join("wgsl")).expect("it was written");
     assert_eq!(printed.stdout, written, "standard output gets the same");
+}
+
+/// The files in `folder` and below, by their paths.
+fn tree(folder: &Path) -> Vec<String> {
+    let mut found = Vec::new();
+    let mut ahead = vec![folder.to_owned()];
+    while let Some(inside) = ahead.pop() {
+        for entry in fs::read_dir(inside).expect("it is a folder") {
+            let path = entry.expect("it can be read").path();
+            if path.is_dir() {
+                ahead.push(path);
+            } else {
+                let path = path.strip_prefix(folder).expect("it is inside").display().to_string();
+                found.push(path.replace('\\', "/"));
+            }
+        }
+    }
+    found.sort();
+    found
+}
+
+#[test]
+fn a_wesl_package_takes_the_place_of_an_earlier_one_and_of_nothing_else() {
+    let folder = folder();
+    let package = folder.path().join("package");
+    let shown = package.display().to_string();
+    let wesl =
+        |what: &[&str], to: &str| orogen(&[&["export"], what, &["--target", "wesl", "-o", to]].concat());
+    let output = wesl(&["dunes"], &shown);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    let files = tree(&package);
+    for file in ["README.md", "wesl.toml", "main.wesl", "parameters.wesl", "terrain/dunes.wesl"] {
+        assert!(files.iter().any(|known| known == file), "{file}: {files:#?}");
+    }
+    // What is not of the package stays, and what is no longer of it goes.
+    fs::write(package.join("terrain/mine.wesl"), "fn mine() {}\n").expect("it can be written");
+    let output = wesl(&["<noise/perlin.wgsl>"], &shown);
+    assert_eq!(status(&output), 0, "{}", err(&output));
+    let files = tree(&package);
+    assert!(files.iter().any(|file| file == "noise/perlin.wesl"), "{files:#?}");
+    assert!(files.iter().any(|file| file == "terrain/mine.wesl"), "{files:#?}");
+    assert!(!files.iter().any(|file| file == "terrain/dunes.wesl"), "{files:#?}");
+    assert!(!package.join("scene").exists(), "an empty folder goes, too");
+
+    let other = folder.path().join("other");
+    fs::create_dir(&other).expect("it can be made");
+    fs::write(other.join("wesl.toml"), "edition = \"2026_pre\"\n").expect("it can be written");
+    let output = wesl(&["dunes"], &other.display().to_string());
+    assert_eq!(status(&output), 1);
+    let said = err(&output);
+    assert!(said.contains("is neither empty nor a WESL package that Orogen has written"), "{said}");
+    assert_eq!(tree(&other), ["wesl.toml"]);
+    let file = put(&folder, "file", "");
+    let output = wesl(&["dunes"], &file);
+    assert_eq!(status(&output), 1);
+    assert!(err(&output).contains("it is not a folder"), "{}", err(&output));
 }
 
 #[test]

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use orogen::build::Bindings;
 use orogen::check::Panicked;
-use orogen::export::{ExportError, Stage, Target, export_entry};
+use orogen::export::{ExportError, LibraryStyle, Stage, Target, export_entry, library_package};
 use orogen::render::RenderError;
 use orogen::{Bake, Compose, Error, Library, Prefix, Preset, Templates};
 
@@ -61,6 +61,7 @@ fn what_a_target_lacks_is_told_at_its_place() {
     expect("cannot-be-minified", ExportError::NotMinified { target: Target::Msl });
     let why = "no definition in scope for identifier: `a`".into();
     expect("minified-is-not-valid", ExportError::Minifier { why });
+    expect("a-folder-is-not-one-file", refused(&in_main("1.0"), Target::Wesl, None));
     expect("no-such-stage", Target::Glsl.stage(Some(Stage::Compute)).expect_err("there is none"));
 }
 
@@ -79,6 +80,22 @@ fn what_modules_and_bindings_cannot_be_is_told() {
     let bindings = Bindings::new(Preset::of_text("scene.wgsl", "fn f() {}\n"));
     let written = bindings.write_to("no/such/folder", "scene").err().expect("there is no such folder");
     expect("bindings-cannot-be-written", written);
+}
+
+#[test]
+fn what_cannot_be_left_open_is_told_at_its_place() {
+    let whole = |text: &str| {
+        let library = Library::empty().with_file("land.wgsl", text);
+        library_package(&library, &LibraryStyle::default(), &Templates::standard())
+            .err()
+            .expect("WESL cannot say it")
+    };
+    let cut = "#option land.high = true\n\nfn height() -> f32 {\n    return 1.0\n#if land.high\n        + 2.0\n#endif\n    ;\n}\n";
+    expect("a-condition-in-the-middle", whole(cut));
+    let head = "#option land.high = true\n\n#if land.high\nfn height() -> f32 {\n#else\nfn depth() -> f32 {\n#endif\n    return 1.0;\n}\n";
+    expect("a-condition-around-half-a-function", whole(head));
+    let many = "#option land.a = 1, range 1 .. 100\n#option land.b = 1, range 1 .. 100\n\n#if land.a < land.b\nconst HIGH = true;\n#endif\n";
+    expect("too-many-values-apart", whole(many));
 }
 
 #[test]

@@ -9,11 +9,17 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 const README: &str = include_str!("../README.md");
+const BEVY: &str = include_str!("../docs/bevy.md");
 
-/// The snippets in `language`.
+/// The README's snippets in `language`.
 fn snippets(language: &str) -> Vec<String> {
+    snippets_of(README, language)
+}
+
+/// The snippets of `page` in `language`.
+fn snippets_of(page: &str, language: &str) -> Vec<String> {
     let mut found = Vec::new();
-    let mut lines = README.lines();
+    let mut lines = page.lines();
     while let Some(line) = lines.next() {
         let Some(fence) = line.strip_prefix("```") else { continue };
         let text: Vec<_> = lines.by_ref().take_while(|line| *line != "```").collect();
@@ -57,7 +63,8 @@ fn folder() -> tempfile::TempDir {
 fn every_command_does_what_it_says() {
     let folder = folder();
     let mut ran = 0;
-    for line in snippets("sh").iter().flat_map(|snippet| snippet.lines()) {
+    let commands = [snippets("sh"), snippets_of(BEVY, "sh")].concat();
+    for line in commands.iter().flat_map(|snippet| snippet.lines()) {
         let mut words = words(line);
         match words.first().map(String::as_str) {
             Some("orogen") => {}

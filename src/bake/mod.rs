@@ -17,7 +17,7 @@ pub(crate) use literal::in_code;
 pub use literal::literal;
 pub use map::{Origin, Segment, SourceMap};
 pub use plan::{Bake, Storage};
-pub(crate) use text::clean;
+pub(crate) use text::{apart, clean, directive_text, read};
 
 use crate::compose::Composition;
 use crate::diagnostic::Error;

@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use serde::Serialize;
 
+use super::Baked;
 use super::facts::Facts;
 use super::interface::{Interface, by_group, padding, suffixes};
 use super::literal::{in_code, literal, scalars, uniform_type};
@@ -77,7 +78,36 @@ pub(super) fn assemble(
     templates: &Templates,
 ) -> Result<(String, SourceMap), Error> {
     let mut inserts = Vec::new();
-    let mut context = context(composition, storage, used, interface, &mut inserts);
+    let context = context(composition, storage, used, interface, &mut inserts);
+    assemble_of(composition, storage, templates, context, &inserts)
+}
+
+/// The result taken apart: what stands before the parts, and the text of each part.
+pub(crate) fn apart(baked: &Baked, templates: &Templates) -> Result<(String, Vec<String>), Error> {
+    let Baked { composition, storage, interface, .. } = baked;
+    let used: Vec<_> =
+        (0..composition.parameters.len()).filter(|index| composition.parameters[*index].read).collect();
+    let mut inserts = Vec::new();
+    let mut context = context(composition, storage, &used, interface, &mut inserts);
+    context.modules.clear();
+    context.directives.clear();
+    let (head, _) = assemble_of(composition, storage, templates, context, &inserts)?;
+    let parts = composition.parts.iter().map(|part| {
+        let (text, map) = (String::new(), SourceMap::default());
+        let mut writer = Writer { composition, storage, text, map };
+        writer.part(part);
+        writer.text
+    });
+    Ok((head, parts.collect()))
+}
+
+fn assemble_of(
+    composition: &Composition,
+    storage: &[Storage],
+    templates: &Templates,
+    mut context: Context,
+    inserts: &[Insert<'_>],
+) -> Result<(String, SourceMap), Error> {
     context.header = template::render(templates, "header.jinja", &context.facts)?.trim_end().to_owned();
     let rendered = template::render(templates, "wgsl.jinja", context)?;
     let size: usize = inserts.iter().map(size).sum();
@@ -141,7 +171,7 @@ impl Writer<'_> {
                 }
                 Piece::Word(word, span) => self.made(word, file, *span, instance),
                 Piece::Read(knob, span) => {
-                    let text = self.read(*knob);
+                    let text = read(self.composition, self.storage, *knob);
                     self.made(&text, file, *span, instance);
                 }
             }
@@ -170,25 +200,25 @@ impl Writer<'_> {
         let out = Span::new(start, self.text.len());
         self.map.push(Segment { out, file, from, copied: false, instance });
     }
+}
 
-    /// How the code reads a parameter or an option.
-    fn read(&self, knob: Knob) -> String {
-        let index = match knob {
-            Knob::Option(index) => return self.composition.flat(&self.composition.options[index].decl.key),
-            Knob::Parameter(index) => index,
-        };
-        let decl = &self.composition.parameters[index].decl;
-        let flat = self.composition.flat(&decl.key);
-        let uniform = || self.composition.prefix.before(UNIFORM.0);
-        match (self.storage[index], decl.ty) {
-            (Storage::Uniform, Type::Bool) => format!("({}.{flat} != 0u)", uniform()),
-            (Storage::Uniform, _) => format!("{}.{flat}", uniform()),
-            (Storage::Override, ty) if ty.components() > 1 => {
-                let parts: Vec<_> = suffixes(ty).iter().map(|suffix| format!("{flat}{suffix}")).collect();
-                format!("{ty}({})", parts.join(", "))
-            }
-            _ => flat,
+/// How the code reads a parameter or an option.
+pub(crate) fn read(composition: &Composition, storage: &[Storage], knob: Knob) -> String {
+    let index = match knob {
+        Knob::Option(index) => return composition.flat(&composition.options[index].decl.key),
+        Knob::Parameter(index) => index,
+    };
+    let decl = &composition.parameters[index].decl;
+    let flat = composition.flat(&decl.key);
+    let uniform = || composition.prefix.before(UNIFORM.0);
+    match (storage[index], decl.ty) {
+        (Storage::Uniform, Type::Bool) => format!("({}.{flat} != 0u)", uniform()),
+        (Storage::Uniform, _) => format!("{}.{flat}", uniform()),
+        (Storage::Override, ty) if ty.components() > 1 => {
+            let parts: Vec<_> = suffixes(ty).iter().map(|suffix| format!("{flat}{suffix}")).collect();
+            format!("{ty}({})", parts.join(", "))
         }
+        _ => flat,
     }
 }
 
@@ -334,7 +364,7 @@ fn slot_item(composition: &Composition, open: &OpenSlot, inserts: &mut Vec<Inser
     }
 }
 
-fn directive_text(directive: &Hoisted) -> String {
+pub(crate) fn directive_text(directive: &Hoisted) -> String {
     let keyword = match directive.kind {
         DeclarationKind::Enable => "enable ",
         DeclarationKind::Requires => "requires ",

@@ -37,6 +37,7 @@ Examples:
   orogen export alpine --live 'sun.*' --target json    where a host finds the live parameters
   orogen export '<sky/atmosphere.wgsl>' --prefix og_   a module to paste into a shader of yours
   orogen export alpine --module terrain/height.wgsl    the same, with the preset's values
+  orogen export alpine --target wesl -o assets/alpine  a WESL package, for Bevy and other hosts of WESL
 
 A PRESET is a built-in name (alpine), the path of a .json file, the path of a .wgsl file, or a module of the library in
 angle brackets ('<noise/perlin.wgsl>').
@@ -110,9 +111,9 @@ pub(super) struct Viewing {
 
 #[derive(Args)]
 pub(super) struct Export {
-    /// Built-in preset, .json file, .wgsl file, or '<module>' of the library
+    /// Built-in preset, .json file, .wgsl file, or '<module>' of the library; for wesl, the whole library where it is left out
     #[arg(value_name = "PRESET|FILE")]
-    pub(super) preset: String,
+    pub(super) preset: Option<String>,
     #[command(flatten)]
     pub(super) viewing: Viewing,
     /// What to write
@@ -153,11 +154,12 @@ pub(super) struct Export {
     /// Write a Source Map (v3) beside the file, as FILE.map (wgsl only)
     #[arg(long)]
     pub(super) source_map: bool,
-    /// Keep declarations that no entry point reaches
+    /// Keep declarations that no entry point reaches; for wesl, write the whole library with the preset's values, its options as
+    /// features
     #[arg(long)]
     pub(super) keep_unused: bool,
-    /// Where to write; '-' is standard output
-    #[arg(short, value_name = "FILE|-", default_value = "-")]
+    /// Where to write; '-' is standard output; for wesl, a folder: one that is empty or holds an earlier package
+    #[arg(short, value_name = "FILE|-|DIR", default_value = "-")]
     pub(super) output: PathBuf,
 }
 
@@ -183,6 +185,8 @@ pub(super) enum Target {
     Json,
     /// Rust: live parameters as structs, names of overrides, layouts of bind groups, and the WGSL
     Rust,
+    /// A WESL package: a folder with a module for each fragment, parameters as constants of the module `parameters`
+    Wesl,
 }
 
 #[derive(Clone, Copy, ValueEnum)]

@@ -7,7 +7,7 @@ use orogen::{Prefix, Shader, Templates, export};
 
 use super::args::{self, Common, Export};
 use super::failure::{Failure, Outcome};
-use super::{input, made_of, output};
+use super::{input, made_of, output, package};
 
 pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     let target = match args.target {
@@ -21,6 +21,7 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
         args::Target::Msl => export::Target::Msl,
         args::Target::Json => export::Target::Json,
         args::Target::Rust => export::Target::Rust,
+        args::Target::Wesl => export::Target::Wesl,
     };
     let stage = args.stage.map(|stage| match stage {
         args::Stage::Fragment => export::Stage::Fragment,
@@ -31,6 +32,9 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
         let why = "--source-map writes FILE.map beside a WGSL file: it needs `-o FILE` and the target wgsl";
         return Err(Failure::Usage(why.into()));
     }
+    if to_stdout && !target.is_one_file() {
+        return Err(Failure::Usage(format!("{target} is a folder of files: say which with `-o DIR`")));
+    }
     if to_stdout && target == export::Target::Spirv && std::io::stdout().is_terminal() {
         return Err(Failure::Usage("SPIR-V is binary: write it to a file with `-o FILE`".into()));
     }
@@ -40,8 +44,16 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
         let help = told.help.as_deref().unwrap_or_default();
         return Err(Failure::Usage(format!("{}: {help}", told.message)));
     }
+    if target == export::Target::Wesl && (args.preset.is_none() || args.keep_unused) {
+        return whole_library(args, common, stage);
+    }
+    let Some(preset) = &args.preset else {
+        let why = "which preset or fragment is to be written? `orogen list presets` names the built-in ones; only the target \
+                   wesl takes none, for the whole library";
+        return Err(Failure::Usage(why.into()));
+    };
     let library = input::library(common)?;
-    let preset = input::preset(&args.preset, common)?;
+    let preset = input::preset(preset, common)?;
     let mut composer = input::composer(common)?;
     composer.stage =
         target.stage(stage).map_err(|error| Failure::Usage(error.diagnostics()[0].message.clone()))?;
@@ -57,6 +69,9 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
     let (group, binding) = args.binding;
     let bake = input::bake(&args.baking).at_binding(group, binding);
     let shader = composer.run(&library, &preset, &target.bake(bake))?;
+    if !target.is_one_file() {
+        return package::write(&args.output, &export::package(&shader, &composer.templates)?);
+    }
     if args.common {
         return write_tabs(&args.output, &shader, &composer.templates);
     }
@@ -89,7 +104,38 @@ pub(super) fn run(args: &Export, common: &Common) -> Outcome {
 }
 
 fn has_overrides(target: export::Target) -> bool {
-    matches!(target, export::Target::Wgsl | export::Target::Json | export::Target::Rust)
+    matches!(
+        target,
+        export::Target::Wgsl | export::Target::Json | export::Target::Rust | export::Target::Wesl
+    )
+}
+
+/// A WESL package of everything that the library has.
+fn whole_library(args: &Export, common: &Common, stage: Option<export::Stage>) -> Outcome {
+    let parts = [
+        ("--view", args.viewing.view.is_some()),
+        ("--module", args.module.is_some()),
+        ("--only", !args.only.is_empty()),
+        ("--prefix", !args.prefix.is_empty()),
+    ];
+    if let Some((flag, _)) = parts.iter().find(|(_, given)| *given) {
+        return Err(Failure::Usage(format!(
+            "{flag} is for what a preset reaches: the whole library is written without it"
+        )));
+    }
+    let preset = match &args.preset {
+        Some(name) => Some(input::preset(name, common)?),
+        None if common.set.is_empty() => None,
+        None => {
+            let why = "--set and --quality set what a preset says: name one, and `--keep-unused` writes the whole library with it";
+            return Err(Failure::Usage(why.into()));
+        }
+    };
+    let (group, binding) = args.binding;
+    let bake = input::bake(&args.baking).at_binding(group, binding);
+    let style = export::LibraryStyle { preset, stage: stage.unwrap_or_default(), bake };
+    let templates = input::composer(common)?.templates;
+    package::write(&args.output, &export::library_package(&input::library(common)?, &style, &templates)?)
 }
 
 /// The files for the tabs Image and Common, or neither: `alpine.glsl` and `alpine.common.glsl`.

@@ -11,6 +11,7 @@ mod input;
 mod list;
 mod made_of;
 mod output;
+mod package;
 mod params;
 mod progress;
 mod render;

@@ -318,6 +318,16 @@ pub enum ComposeError {
         /// What it declares.
         known: String,
     },
+    /// `OR0418`
+    #[error("{what}")]
+    NotOpen {
+        /// What cannot be left open, and why.
+        what: String,
+        /// What to do.
+        help: &'static str,
+        /// Where.
+        at: At,
+    },
     /// `OR0413`
     #[error("`{name}` is the name of Orogen's uniform buffer")]
     Reserved {
@@ -452,6 +462,7 @@ impl From<ComposeError> for Diagnostic {
             }
             E::NotDeclared { nearest, known, .. } => Diagnostic::error("OR0417", message)
                 .help(did_you_mean(nearest).or_else(|| Some(format!("choose {known}")))),
+            E::NotOpen { help, at, .. } => d("OR0418", at, "here").help(Some(help.into())),
             E::Reserved { at, .. } => d("OR0413", at, "reserved").help(Some("give it another name".into())),
         }
     }

@@ -18,6 +18,7 @@ mod error;
 mod graph;
 mod hoist;
 mod names;
+pub(crate) mod open;
 mod prefix;
 mod select;
 mod shake;
@@ -73,6 +74,10 @@ pub struct Choice {
 pub struct Part {
     /// The fragment's name, with its instance's.
     pub name: String,
+    /// Its path inside the folder or the library that it lies in.
+    pub path: Arc<str>,
+    /// What it is included `as`, with what its includer is; empty where it is included plainly.
+    pub prefix: Arc<str>,
     /// The fragment.
     pub file: FileId,
     /// Which instance, for [`Composition::chain`].

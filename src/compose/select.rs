@@ -148,7 +148,7 @@ pub(super) fn select(
         let in_order = order.iter().filter_map(|instance| names.active[*instance].as_ref());
         let parts = in_order.filter_map(|active| {
             let pieces = emit::pieces(&names, &kept, active, request.keep_unused, hoist, errors);
-            (!pieces.is_empty()).then(|| part(graph, active, pieces))
+            (!pieces.is_empty()).then(|| part(graph, active.instance, pieces))
         });
         parts.collect::<Vec<_>>()
     };
@@ -241,7 +241,7 @@ fn deciding(survey: &Survey, instances: impl Iterator<Item = usize>) -> FxHashSe
 }
 
 /// What a condition in `instance` can ask for.
-fn known(survey: &Survey, instance: usize) -> Known<'_> {
+pub(super) fn known(survey: &Survey, instance: usize) -> Known<'_> {
     let instance = &survey.graph.instances[instance];
     Known {
         declarations: &survey.declarations,
@@ -277,13 +277,23 @@ pub(super) fn activity(survey: &Survey, errors: &mut Vec<ComposeError>) -> Activ
     all
 }
 
-fn part(graph: &Graph, active: &Active<'_>, pieces: Vec<Piece>) -> Part {
-    let instance = &graph.instances[active.instance];
+/// What is in of `instance`.
+pub(super) fn part(graph: &Graph, instance: usize, pieces: Vec<Piece>) -> Part {
+    let number = instance;
+    let instance = &graph.instances[number];
     let loaded = &graph.loaded[instance.loaded];
     let name = if instance.prefix.is_empty() {
         loaded.source.name.to_string()
     } else {
         format!("{} as {}", loaded.source.name, instance.prefix)
     };
-    Part { name, file: loaded.file, instance: active.instance, licence: loaded.source.licence(), pieces }
+    Part {
+        name,
+        path: loaded.source.path().clone(),
+        prefix: instance.prefix.clone(),
+        file: loaded.file,
+        instance: number,
+        licence: loaded.source.licence(),
+        pieces,
+    }
 }

@@ -108,6 +108,12 @@ pub enum ExportError {
         /// What the check says.
         why: String,
     },
+    /// `OR0822`
+    #[error("the target `{target}` is a folder of files, not one")]
+    NotOneFile {
+        /// The target.
+        target: Target,
+    },
 }
 
 /// Told without a place.
@@ -169,6 +175,9 @@ impl ExportError {
             }
             E::Minifier { why } => d("OR0821").note(why.clone()).help(Some(
                 "this is a fault of Orogen: export without `--minify`, and report the shader".into(),
+            )),
+            E::NotOneFile { .. } => d("OR0822").help(Some(
+                "call `orogen::export::package`, or say on the command line which folder with `-o DIR`".into(),
             )),
             E::Overrides { why } => d("OR0809").note(why.clone()).help(Some(
                 "give every `override` a default: `override name: f32 = 1.0;`".into(),

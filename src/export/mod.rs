@@ -1,5 +1,5 @@
 //! One file per target: `Shader` → WGSL, Shadertoy, GLSL ES 3.00, ISF, compute.toys, SPIR-V, HLSL, MSL, JSON,
-//! or Rust.
+//! or Rust; and a folder of WESL modules.
 //!
 //! A target says how it wants the shader composed (`Target::stage`, `Target::bake`); `export` then writes the file. Targets
 //! need the feature `check`; without it there are WGSL itself, its source map, and [`bindings`] in Rust.
@@ -22,6 +22,7 @@ mod target;
 mod toys;
 #[cfg(feature = "check")]
 mod typed;
+mod wesl;
 
 #[cfg(feature = "check")]
 pub use error::ExportError;
@@ -34,6 +35,7 @@ pub use source_map::source_map;
 pub use target::Stage;
 #[cfg(feature = "check")]
 pub use target::Target;
+pub use wesl::{LibraryStyle, Package, library_features, library_package, package};
 
 use crate::diagnostic::Error;
 #[cfg(feature = "check")]
@@ -75,6 +77,7 @@ pub fn export_entry(
         Target::Msl => back::msl(shader, templates)?,
         Target::Rust => return bindings(shader, &RustStyle::default(), templates).map(String::into_bytes),
         Target::Spirv => return back::spirv(shader).map_err(|error| error.told(shader)),
+        Target::Wesl => Err(ExportError::NotOneFile { target }),
     };
     text.map(String::into_bytes).map_err(|error: ExportError| error.told(shader))
 }

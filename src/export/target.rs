@@ -45,12 +45,14 @@ pub enum Target {
     Json,
     /// Rust for the shader's host: its parameters as structs, with the WGSL in it.
     Rust,
+    /// A WESL package: a folder with a module for each fragment. [`package`](super::package) writes it.
+    Wesl,
 }
 
 #[cfg(feature = "check")]
 impl Target {
     /// All of them.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::Wgsl,
         Self::Shadertoy,
         Self::Glsl,
@@ -61,9 +63,10 @@ impl Target {
         Self::Msl,
         Self::Json,
         Self::Rust,
+        Self::Wesl,
     ];
 
-    /// Its name: `wgsl`, `shadertoy`, `glsl`, `isf`, `compute-toys`, `spirv`, `hlsl`, `msl`, `json`, `rust`.
+    /// Its name: `wgsl`, `shadertoy`, `glsl`, `isf`, `compute-toys`, `spirv`, `hlsl`, `msl`, `json`, `rust`, `wesl`.
     pub fn name(self) -> &'static str {
         match self {
             Self::Wgsl => "wgsl",
@@ -76,6 +79,7 @@ impl Target {
             Self::Msl => "msl",
             Self::Json => "json",
             Self::Rust => "rust",
+            Self::Wesl => "wesl",
         }
     }
 
@@ -92,6 +96,7 @@ impl Target {
             Self::Msl => "metal",
             Self::Json => "json",
             Self::Rust => "rs",
+            Self::Wesl => "wesl",
         }
     }
 
@@ -114,6 +119,11 @@ impl Target {
     /// Whether its files can be minified: those that are text which others compile.
     pub fn is_minified(self) -> bool {
         matches!(self, Self::Wgsl | Self::Shadertoy | Self::Glsl)
+    }
+
+    /// Whether it is written as one file, by [`export`](super::export()): a WESL package is a folder.
+    pub fn is_one_file(self) -> bool {
+        self != Self::Wesl
     }
 
     /// How parameters are to be baked: on Shadertoy and its like, live ones are global variables, since no host sets uniforms

@@ -21,7 +21,7 @@ pub struct Declared<T> {
 }
 
 /// What a name in a preset stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Knob {
     /// The parameter of that number.
     Parameter(usize),

@@ -327,6 +327,11 @@ impl Source {
         found.ok_or_else(|| SourceError::NotFound { path: inside.into(), tried })
     }
 
+    /// Its path inside the root that it lies in; of a text that lies nowhere, its name.
+    pub(crate) fn path(&self) -> &Arc<str> {
+        &self.path
+    }
+
     /// The licence that the text states (`SPDX-License-Identifier: …`); for the library's own fragments, ours.
     pub(crate) fn licence(&self) -> Option<String> {
         const MARK: &str = "SPDX-License-Identifier:";

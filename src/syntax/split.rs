@@ -431,7 +431,7 @@ impl<'a> Splitter<'a> {
                     "compute" => Some(Stage::Compute),
                     _ => doing.stage,
                 };
-                let named_words = matches!(text, "builtin" | "interpolate" | "diagnostic");
+                let named_words = matches!(text, "builtin" | "interpolate" | "diagnostic" | "if");
                 doing.attribute = Attribute::Opens { named_words };
                 return;
             }

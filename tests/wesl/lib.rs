@@ -1,0 +1,1 @@
+//! Nothing: all that there is stands in `tests/`.
