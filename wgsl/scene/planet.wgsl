@@ -58,7 +58,7 @@ const GROUND_STEPS: i32 = 12;
 const GROUND_GROWTH: f32 = 0.2;
 const GROUND_REFINEMENTS: i32 = 1;
 const GROUND_DETAIL: f32 = 4.0; // width of the smallest detail looked at, in pixels
-const GROUND_BLUR: f32 = 8.0; // how much coarser than that the ground is that rays look for, and what covers it
+const GROUND_BLUR: f32 = 8.0; // how much coarser the ground may be that rays look for
 const SHADOW_LOOKS: i32 = 2;
 const SHADOW_FINEST: f32 = 300.0; // pixels so wide (m) see no shadows of mountains
 const SHELL_SHADE: f32 = 16.0; // how much coarser the clouds are that throw shadows than those that are seen
@@ -172,7 +172,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             way = max(way, 0.0);
             end = origin + way * direction;
         }
-        let cover = planet_cover_at(end, up, ground.height, steepness, GROUND_BLUR * covered);
+        let cover = planet_cover_at(end, up, ground.height, steepness, covered);
         albedo = cover.albedo;
         normal = planet_normal(up, ground.slope);
 #if planet.water

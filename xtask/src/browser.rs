@@ -5,14 +5,15 @@
 //! driver, and the pictures must not.
 
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use serde_json::{Value as Json, json};
 
 use crate::cases::{CONST, UNIFORM};
 use crate::install;
 use crate::pictures::{Psnr, bare, psnr, shown, write_png};
-use crate::run::{Failure, Outcome, capture, command, create_folder, orogen, read, run, write};
+use crate::run::{
+    Failure, Outcome, capture, command, create_folder, in_parallel, read, run, tested_orogen, write,
+};
 
 const SIZE: (u32, u32) = (320, 180);
 
@@ -156,7 +157,7 @@ pub(crate) fn judge(presets: &[&str], judged: &Path, folder: &Path) -> Outcome<V
     let jobs = subjects.iter().map(|subject| {
         let interface = subject.interface().map(|words| {
             let file = folder.join(format!("{}.json", subject.name()));
-            capture(orogen(&words)?.arg("-o").arg(&file)).map(|_| file)
+            capture(tested_orogen(&words)?.arg("-o").arg(&file)).map(|_| file)
         });
         Ok(subject.job(judged, interface.transpose()?.as_deref()))
     });
@@ -265,29 +266,17 @@ fn reference(folder: &Path, preset: &str, moment: usize) -> PathBuf {
     folder.join(format!("{preset}.{moment}.exr"))
 }
 
-/// Draws `presets` at all moments with `orogen render`, two at a time: half of it is compiling on one core.
+/// Draws `presets` at all moments with `orogen render`: half of it is compiling on one core.
 fn references(presets: &[&str], folder: &Path) -> Outcome {
     println!("drawing {} pictures with `orogen render`", presets.len() * MOMENTS.len());
-    let next = AtomicUsize::new(0);
-    let work = || {
-        while let Some(preset) = presets.get(next.fetch_add(1, Ordering::Relaxed)) {
-            draw(preset, folder)?;
-        }
-        Ok(())
-    };
-    std::thread::scope(|scope| {
-        let workers = [scope.spawn(work), scope.spawn(work)];
-        workers.into_iter().try_for_each(|worker| {
-            worker.join().unwrap_or_else(|_| Err(Failure::Check("drawing panicked".to_owned())))
-        })
-    })
+    in_parallel(presets, |preset| draw(preset, folder)).into_iter().collect()
 }
 
 /// Draws what the exported file draws, with its tone map and its dither, into files that add nothing of their own.
 fn draw(preset: &str, folder: &Path) -> Outcome {
-    let tone_map = tone_map(&capture(&mut orogen(&["export", preset, "--target", "json"])?)?)?;
+    let tone_map = tone_map(&capture(&mut tested_orogen(&["export", preset, "--target", "json"])?)?)?;
     for (number, moment) in MOMENTS.iter().enumerate() {
-        let mut render = orogen(&[])?;
+        let mut render = tested_orogen(&[])?;
         render.args(moment.render(preset, &tone_map)).arg("-o").arg(reference(folder, preset, number));
         render.envs(install::driver_for_tests());
         capture(&mut render)?;

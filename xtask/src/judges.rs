@@ -10,7 +10,8 @@ use crate::browser;
 use crate::cases::{Case, Judge, of_module, of_preset, of_projection, of_view, seen_in};
 use crate::install::{self, Install};
 use crate::run::{
-    Failure, Outcome, capture, cargo, command, create_folder, orogen, read, run, shown, target, write,
+    Failure, Outcome, capture, cargo, command, create_folder, in_parallel, read, run, shown, target,
+    tested_orogen, write,
 };
 
 /// What Shadertoy puts before a shader. Its names are taken: a shader that declares one does not compile there.
@@ -23,7 +24,7 @@ const TOYS_PAGE: &str = include_str!("toys.wgsl");
 pub(crate) fn judge_alone(install: Install, presets: &[String]) -> Outcome {
     install::driver(install)?;
     install::judges(install)?;
-    run(&mut cargo("build --release"))?;
+    run(&mut cargo("build"))?;
     judge(presets)
 }
 
@@ -56,9 +57,11 @@ pub(crate) fn judge(only: &[String]) -> Outcome {
         modules.len(),
         cases.len()
     );
+    let refusals =
+        in_parallel(&cases, |case| export(case, &judged).and_then(|()| verdict(case, &judged)).err());
     let mut refused = Vec::new();
-    for case in &cases {
-        if let Err(failure) = export(case, &judged).and_then(|()| verdict(case, &judged)) {
+    for (case, refusal) in cases.iter().zip(refusals) {
+        if let Some(failure) = refusal {
             println!("{failure}\n");
             refused.push(case.file.display().to_string());
         }
@@ -80,7 +83,7 @@ pub(crate) fn judge(only: &[String]) -> Outcome {
 
 /// The names that `orogen list WHAT` gives. There are always some.
 fn list(what: &str) -> Outcome<Vec<String>> {
-    let mut command = orogen(&["list", what])?;
+    let mut command = tested_orogen(&["list", what])?;
     let names = names(&capture(&mut command)?);
     if names.is_empty() {
         Err(Failure::Check(format!("`{}` names none", shown(&command))))
@@ -100,7 +103,7 @@ fn export(case: &Case, judged: &Path) -> Outcome {
     let file = judged.join(&case.file);
     create_folder(file.parent().unwrap_or(judged))?;
     let words: Vec<&str> = case.export.iter().map(String::as_str).collect();
-    capture(orogen(&words)?.arg("-o").arg(file)).map(drop)
+    capture(tested_orogen(&words)?.arg("-o").arg(file)).map(drop)
 }
 
 /// What the case's judge says; Tint has its say on all its files at the end.

@@ -5,6 +5,7 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitStatus, Output, Stdio};
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// Why a chore stopped.
@@ -74,8 +75,38 @@ fn cargo_path() -> OsString {
 
 /// The `orogen` that `cargo build --release` makes.
 pub(crate) fn orogen(arguments: &[&str]) -> Outcome<Command> {
-    let binary = target()?.join("release").join(format!("orogen{}", std::env::consts::EXE_SUFFIX));
+    built("release", arguments)
+}
+
+/// The `orogen` that `cargo build` makes, as the tests have it: slower, and there without another build.
+pub(crate) fn tested_orogen(arguments: &[&str]) -> Outcome<Command> {
+    built("debug", arguments)
+}
+
+fn built(profile: &str, arguments: &[&str]) -> Outcome<Command> {
+    let binary = target()?.join(profile).join(format!("orogen{}", std::env::consts::EXE_SUFFIX));
     Ok(command(binary, arguments))
+}
+
+/// What `work` makes of each of `items`, in their order; as many at a time as there are cores.
+pub(crate) fn in_parallel<T: Sync, R: Send>(items: &[T], work: impl Fn(&T) -> R + Sync) -> Vec<R> {
+    let next = AtomicUsize::new(0);
+    let take = || {
+        let mut done = Vec::new();
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            let Some(item) = items.get(index) else { return done };
+            done.push((index, work(item)));
+        }
+    };
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let mut done: Vec<(usize, R)> = std::thread::scope(|scope| {
+        let workers: Vec<_> = (0..cores).map(|_| scope.spawn(take)).collect();
+        let joined = workers.into_iter().map(|worker| worker.join());
+        joined.flat_map(|part| part.unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
+    });
+    done.sort_by_key(|(index, _)| *index);
+    done.into_iter().map(|(_, result)| result).collect()
 }
 
 /// Shows `command`, then runs it with its output going where ours goes.
@@ -185,6 +216,17 @@ impl Steps {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_done_in_parallel_comes_back_in_order() {
+        let numbers: Vec<u64> = (0..100).collect();
+        let late_first = |&number: &u64| {
+            std::thread::sleep(Duration::from_micros(100 - number));
+            number * number
+        };
+        let squares: Vec<u64> = numbers.iter().map(|number| number * number).collect();
+        assert_eq!(in_parallel(&numbers, late_first), squares);
+    }
 
     #[test]
     fn a_command_is_shown_as_one_would_type_it() {
