@@ -43,6 +43,7 @@ fn main() {
         let preset = Preset::named(name).expect("it is built in");
         print(name, &measure(&library, &preset, None), false);
     }
+    changes(&library);
     println!("\ncomposing, 400x20 against 100x20 (four times the text; bar 4.5):");
     for shape in ["Diamond", "Wide"] {
         let time =
@@ -51,6 +52,37 @@ fn main() {
         let ratio = large / small;
         println!("  {shape:<10}{ratio:>6.2}{}", verdict(ratio <= 4.5));
     }
+}
+
+/// Prints what it takes to change one parameter of `alpine`: a live one, which is a range of bytes, and a constant one,
+/// for which what depends on it is composed again.
+fn changes(library: &Library) {
+    let suns = ["sun.elevation=4", "sun.elevation=5"];
+    let [mut preset, mut other] = [(); 2].map(|()| Preset::named("alpine").expect("it is built in"));
+    other.set(suns[0]).expect("it is a parameter");
+    let shader = compose(library, &preset, &Bake::live(["sun.*"])).expect("it composes and is valid");
+    let mut bytes = shader.uniform_bytes(&preset).expect("it has a block");
+    let bake = Bake::constants();
+    let mut warm = Compose::default();
+    let _ = warm.bake(library, &preset, &bake);
+    let mut written = 0;
+    let mut times = [const { Vec::new() }; 3];
+    for round in 0..ROUNDS {
+        let constant = [&preset, &other][round % 2].clone();
+        times[1].push(time(|| warm.bake(library, &constant, &bake).expect("it composes")));
+        times[2].push(time(|| Compose::default().bake(library, &constant, &bake).expect("it composes")));
+        preset.set(suns[round % 2]).expect("it is a parameter");
+        times[0].push(time(|| {
+            written = shader.update_uniform(&mut bytes, &preset).expect("it is of that preset").len();
+        }));
+    }
+    let [live, constant, cold] = times.map(|times| median(times).unwrap_or(0.0));
+    println!("\none parameter of alpine changed:");
+    println!("  live       {live:>8.3} ms, nothing is composed: {written} bytes for the uniform buffer");
+    println!(
+        "  constant   {constant:>8.3} ms, {:.0} % of composing it from nothing",
+        100.0 * constant / cold
+    );
 }
 
 struct Row {
