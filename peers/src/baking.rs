@@ -1,0 +1,62 @@
+//! Part 4: one preset as constants, as overrides, as uniforms. What a frame takes, what compiling takes, and what specialisation
+//! buys.
+
+use orogen::{Bake, Library, Preset, compose};
+
+use crate::Outcome;
+use crate::composing::number;
+use crate::gpu::{Lab, Painting};
+use crate::page::{Section, table};
+use crate::time::quartiles;
+
+pub(crate) const TITLE: &str = "Baking";
+
+const PRESETS: [&str; 8] = ["alpine", "cumulus", "dunes", "earth", "forest", "lake", "night", "sunset"];
+const SIZE: (u32, u32) = (320, 180);
+const ROUNDS: usize = 5;
+const COMPILES: usize = 3;
+
+pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
+    let mut rows = Vec::new();
+    for name in PRESETS {
+        eprintln!("baking: {name}");
+        let preset = Preset::named(name)?;
+        let bakes = [Bake::constants(), Bake::constants().with_overrides(["*"]), Bake::live(["*"])];
+        let shaders = bakes.map(|bake| compose(&Library::standard(), &preset, &bake));
+        let [constants, overrides, uniforms] = shaders;
+        let shaders = [constants?, overrides?, uniforms?];
+        // Compiling: on a device of its own each time, so that no driver knows the shader already; they take turns.
+        let mut compiles = [const { Vec::new() }; 3];
+        for _ in 0..COMPILES {
+            for (shader, times) in shaders.iter().zip(&mut compiles) {
+                let fresh = Lab::open()?;
+                times.push(Painting::new(&fresh, shader, &preset, SIZE)?.1);
+            }
+        }
+        let paintings = shaders.each_ref().map(|shader| Painting::new(lab, shader, &preset, SIZE));
+        let [constants, overrides, uniforms] = paintings;
+        let paintings = [constants?.0, overrides?.0, uniforms?.0];
+        let mut frames = [const { Vec::new() }; 3];
+        for _ in 0..ROUNDS {
+            for (painting, times) in paintings.iter().zip(&mut frames) {
+                times.push(painting.draw(None)?);
+            }
+        }
+        let compile = compiles.map(|times| quartiles(times.into_iter()).median);
+        let frame = frames.map(|times| quartiles(times.into_iter()).median);
+        let buys = |other: usize| format!("{:+.0} %", 100.0 * (frame[other] / frame[0] - 1.0));
+        let cell = |index: usize| format!("{} / {}", number(frame[index]), number(compile[index]));
+        rows.push([name.to_owned(), cell(0), cell(1), cell(2), buys(1), buys(2)]);
+    }
+    let text = format!(
+        "The same preset with all parameters constant, with all as pipeline overrides, and with all in one uniform buffer (`frame.*` is \
+         always uniform, options never are): {} for a frame of {}×{} / for compiling, from WGSL to the first pixel, with a device of its \
+         own each time. Medians of {ROUNDS} and {COMPILES}, taking turns. The last two columns: how much longer a frame takes than \
+         with constants.\n\n{}",
+        lab.clock(),
+        SIZE.0,
+        SIZE.1,
+        table(["preset", "constant", "override", "uniform", "override", "uniform"], &rows),
+    );
+    Ok(Section { title: TITLE, text })
+}
