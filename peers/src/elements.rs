@@ -33,7 +33,12 @@ const ELEMENTS: [Element; 6] = [
     Element {
         name: "terrain",
         preset: "lake",
-        set: &["landscape.trees=false", "landscape.water=false", "sky.model=gradient", "weather.clouds=false"],
+        set: &[
+            "landscape.trees=false",
+            "landscape.water=false",
+            "sky.model=gradient",
+            "weather.clouds=false",
+        ],
     },
     Element {
         name: "terrain, trees",
@@ -48,7 +53,12 @@ const ELEMENTS: [Element; 6] = [
     Element {
         name: "terrain, atmosphere",
         preset: "lake",
-        set: &["landscape.trees=false", "landscape.water=false", "sky.model=atmosphere", "weather.clouds=false"],
+        set: &[
+            "landscape.trees=false",
+            "landscape.water=false",
+            "sky.model=atmosphere",
+            "weather.clouds=false",
+        ],
     },
     Element {
         name: "terrain, clouds",
@@ -129,18 +139,31 @@ fn marches() -> Outcome<String> {
     let mut text = String::new();
     for (index, land) in said.split("The four experiments").enumerate().skip(1) {
         let before = said.split("The four experiments").nth(index - 1).unwrap_or_default();
-        let name = before.lines().rev().find_map(|line| line.split_once(": ").map(|(name, _)| name)).unwrap_or("land");
+        let name = before
+            .lines()
+            .rev()
+            .find_map(|line| line.split_once(": ").map(|(name, _)| name))
+            .unwrap_or("land");
         // Rows end with missed, phantom, IDE p50, IDE p95, HDE p95, octaves. Only what misses nothing can be compared.
         let point = |line: &str, own: usize| {
             let row = numbers(line);
             let rest = row.get(own..).filter(|rest| rest.len() == 6 && rest[0] == 0.0)?;
             Some((rest[5], rest[3]))
         };
-        let (adaptive, rest) = land.split_once("Bounded, by tolerance").ok_or("the march's bench has no bounded march")?;
+        let (adaptive, rest) =
+            land.split_once("Bounded, by tolerance").ok_or("the march's bench has no bounded march")?;
         let bounded = rest.split("Adaptive at the best").next().unwrap_or_default();
         let curves = [
-            Curve { name: "adaptive, one setting varied", points: adaptive.lines().filter_map(|l| point(l, 4)).collect(), joined: false },
-            Curve { name: "bounded, by tolerance", points: bounded.lines().filter_map(|l| point(l, 1)).collect(), joined: true },
+            Curve {
+                name: "adaptive, one setting varied",
+                points: adaptive.lines().filter_map(|l| point(l, 4)).collect(),
+                joined: false,
+            },
+            Curve {
+                name: "bounded, by tolerance",
+                points: bounded.lines().filter_map(|l| point(l, 1)).collect(),
+                joined: true,
+            },
         ];
         let file = format!("march-{index}.svg");
         plot(
@@ -176,7 +199,8 @@ fn sky(lab: &Lab) -> Outcome<String> {
         let mut points = Vec::new();
         for samples in [2, 4, 6, 8, 12, 16, 24, 32] {
             let (shown, spent) = picture(samples)?;
-            let pairs = shown.pixels.iter().zip(&truth.pixels).flat_map(|(a, b)| (0..3).map(move |i| a[i] - b[i]));
+            let pairs =
+                shown.pixels.iter().zip(&truth.pixels).flat_map(|(a, b)| (0..3).map(move |i| a[i] - b[i]));
             let squares: Vec<f64> = pairs.map(|difference| f64::from(difference).powi(2)).collect();
             points.push((spent / 1e3, (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()));
         }
@@ -184,7 +208,13 @@ fn sky(lab: &Lab) -> Outcome<String> {
     }
     let x = "seconds a megapixel";
     let y = "RMS difference of display values to 64 samples";
-    plot(&pictures()?.join("sky.svg"), "Sky: 2 to 32 samples a ray", (x, Scale::Linear), (y, Scale::Log), &curves)?;
+    plot(
+        &pictures()?.join("sky.svg"),
+        "Sky: 2 to 32 samples a ray",
+        (x, Scale::Linear),
+        (y, Scale::Log),
+        &curves,
+    )?;
     Ok("![Error of the sky against cost](benchmarks/sky.svg)\n\n".to_owned())
 }
 
@@ -203,7 +233,9 @@ fn clouds() -> Outcome<String> {
             // steps, evaluations, ms, linear, display
             let [.., evaluations, _, _, display] = row.as_slice() else { continue };
             plain.push((*evaluations, *display));
-        } else if line.starts_with("  ") && line.trim_start().split_once(": ").is_some_and(|(setting, _)| setting.len() == 1) {
+        } else if line.starts_with("  ")
+            && line.trim_start().split_once(": ").is_some_and(|(setting, _)| setting.len() == 1)
+        {
             let [.., evaluations, _, _, display] = row.as_slice() else { continue };
             points.push((*evaluations, *display));
         } else if line.trim_start().starts_with("At ") && !points.is_empty() {

@@ -190,12 +190,13 @@ pub(crate) fn measure() -> Outcome<Section> {
     rows.push(["told any place at all".to_owned(), ours, oil, wesl]);
     let verdict = if totals[0].least() >= BAR { "kept" } else { "**missed**" };
     let text = format!(
-        "{} faults of {} kinds, each put at a random place (seed {SEED}) of a tree of {} modules, the same in every dialect. What \
-         each tool prints for a person is held against where the fault was put: percent of faults whose file / file and line / \
-         file, line and column are right. A column is right if it lies in the wrong expression, attribute or directive; of a name \
-         that is declared twice, either place is right. `naga_oil` validates (`Composer::default()`), `wesl` has its validation and \
-         its source map on, and unknown features are errors to it; it knows no types, so naga finds the rest in its output, whose \
-         lines are nobody's.\n\nBar: Orogen at least {BAR:.0} % on all three: {verdict}.\n\n{}",
+        "{} faults of {} kinds, each put at a random place (seed {SEED}) of a tree of {} modules, the same in every dialect. The place \
+         in the head of what each tool prints for a person, to which an editor jumps, is held against where the fault was put: \
+         percent of faults whose file / file and line / file, line and column are right. A column is right if it lies in the wrong \
+         expression, statement, attribute or directive; of a name that is declared twice either place is right, and of a missing \
+         import its use is, too. `naga_oil` validates (`Composer::default()`), `wesl` has its validation and its source map on, and \
+         unknown features are errors to it; it knows no types, so naga finds the rest in its output, whose lines are nobody's. \
+         Where `naga_oil` underlines several stretches, its head is the first of them, often the whole function's.\n\nBar: Orogen at least {BAR:.0} % on all three: {verdict}.\n\n{}",
         totals[0].faults,
         KINDS.len(),
         TREE.modules,
@@ -253,12 +254,15 @@ fn fault(kind: Kind, dialect: Dialect, rng: &mut Rng) -> Outcome<Fault> {
         Kind::TypeError => {
             let phase = format!("x * f32(octave + {function}) + ");
             let (a, b) = (format!("{phase}0.25"), format!("{phase}true"));
-            let ways: [(&str, &str, &str); 5] = [
+            let ways: [(&str, &str, &str); 8] = [
                 (&a, &b, &b),
                 ("sum * 0.5 + 0.5", "sum * false + 0.5", "sum * false + 0.5"),
                 ("weight > 0.75", "weight > 2u", "weight > 2u"),
                 ("amplitude *= 0.5;", "amplitude *= false;", "amplitude *= false;"),
                 ("return sum;", "return octaves;", "return octaves;"),
+                ("if weight > 0.75", "if weight", "if weight"),
+                ("amplitude *= 0.5;", "amplitude = octaves;", "amplitude = octaves;"),
+                ("var amplitude = 0.5;", "var amplitude: i32 = 0.5;", "var amplitude: i32 = 0.5;"),
             ];
             let (what, with, part) = *pick(rng, &ways);
             replaced(what, with, part)
@@ -287,16 +291,18 @@ fn fault(kind: Kind, dialect: Dialect, rng: &mut Rng) -> Outcome<Fault> {
             let line = import(dialect, missing, 0..1);
             let at = text.find("// Module").and_then(|at| Some(at + text[at..].find('\n')? + 1)).unwrap_or(0);
             let changed = [&text[..at], &line, &text[at..]].concat();
-            let changed = with_line(&changed, &format!("    sum += m{missing}_f0(x, octaves);"));
-            let right = vec![place(&changed, at, line.trim_end().len())];
+            let call = format!("m{missing}_f0(x, octaves)");
+            let changed = with_line(&changed, &format!("    sum += {call};"));
+            let used = changed.find(&call).ok_or("it is not used")?;
+            let right = vec![place(&changed, at, line.trim_end().len()), place(&changed, used, call.len())];
             new(changed, right)
         }
         Kind::Condition => {
             let constant = |value| format!("const m{module}_rough: f32 = {value};\n");
             let lines = choice(dialect, &constant("2.0"), &constant("3.0"));
             let wrong = match dialect {
-                Dialect::NagaOil => lines.replace("FINE", pick(rng, &["FIEN", "FINER", "FIN"])),
-                _ => lines.replace("fine", pick(rng, &["fien", "finer", "fin"])),
+                Dialect::NagaOil => lines.replace("FINE", pick::<&str>(rng, &["FIEN", "FINER", "FIN"])),
+                _ => lines.replace("fine", pick::<&str>(rng, &["fien", "finer", "fin"])),
             };
             let changed = [&text[..head], &wrong, "\n", &text[head..]].concat();
             let end = match dialect {

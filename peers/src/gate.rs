@@ -12,7 +12,7 @@ use crate::tool::{Session, Tool};
 const VALUES: u64 = 4096;
 const WORKGROUP: u32 = 64;
 /// Software GPUs compile every call anew: larger graphs would take minutes.
-const MOST_FUNCTIONS: usize = 512;
+const MOST_FUNCTIONS: usize = 64;
 
 /// Fails where two of `tools` do not agree on `plan`. Whether values were compared, too.
 pub(crate) fn hold(lab: &Lab, plan: Plan, tools: &[Tool]) -> Outcome<bool> {

@@ -79,7 +79,9 @@ fn rows() -> Vec<Row> {
     let mut rows = Vec::new();
     let plan = |shape, modules, functions| Plan { shape, modules, functions };
     for plan in [plan(Shape::Wide, 100, 20), plan(Shape::Diamond, 32, 16), plan(Shape::Chain, 32, 16)] {
-        for (work, words) in [(Work::Cold, "cold"), (Work::Warm, "warm"), (Work::Leaf, "one leaf edited")] {
+        for (work, words) in
+            [(Work::Cold, "cold"), (Work::New, "new definitions"), (Work::Leaf, "one leaf edited")]
+        {
             for other in [Tool::NagaOilLean, Tool::Wesl] {
                 let name = format!("{words}, {} / {}", plan.name(), other.name());
                 rows.push(Row { name, measure: Box::new(move || time(plan, work, other)) });

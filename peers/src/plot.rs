@@ -26,7 +26,13 @@ pub(crate) enum Scale {
 const SIZE: (u32, u32) = (720, 440);
 
 /// Draws `curves` into the file at `path`; each axis with what it says and its scale.
-pub(crate) fn plot(path: &Path, title: &str, x: (&str, Scale), y: (&str, Scale), curves: &[Curve<'_>]) -> Outcome {
+pub(crate) fn plot(
+    path: &Path,
+    title: &str,
+    x: (&str, Scale),
+    y: (&str, Scale),
+    curves: &[Curve<'_>],
+) -> Outcome {
     let points = || curves.iter().flat_map(|curve| &curve.points);
     let across = range(points().map(|point| point.0), x.1)?;
     let up = range(points().map(|point| point.1), y.1)?;
@@ -40,7 +46,8 @@ pub(crate) fn plot(path: &Path, title: &str, x: (&str, Scale), y: (&str, Scale),
 
 /// From a little below the least of `values` to a little above the most.
 fn range(values: impl Iterator<Item = f64>, scale: Scale) -> Outcome<Range<f64>> {
-    let values: Vec<f64> = values.filter(|value| value.is_finite() && (scale == Scale::Linear || *value > 0.0)).collect();
+    let values: Vec<f64> =
+        values.filter(|value| value.is_finite() && (scale == Scale::Linear || *value > 0.0)).collect();
     let least = values.iter().copied().min_by(f64::total_cmp).ok_or("there is nothing to plot")?;
     let most = values.iter().copied().max_by(f64::total_cmp).ok_or("there is nothing to plot")?;
     Ok(match scale {

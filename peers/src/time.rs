@@ -39,10 +39,6 @@ impl Runs {
     pub(crate) fn wall(&self) -> Quartiles {
         quartiles(self.0.iter().map(|spent| spent.wall))
     }
-
-    pub(crate) fn count(&self) -> usize {
-        self.0.len()
-    }
 }
 
 /// Times `work`; what it makes is dropped after the clock has stopped.
