@@ -65,9 +65,8 @@ pub(crate) fn be(arguments: &[String]) -> Outcome {
     let dialect = Tool::named(dialect_of).ok_or("there is no such tool")?.dialect();
     let graph = plan.graph(dialect);
     if let Some(tool) = Tool::named(tool) {
-        let mut session = Session::open(tool, &graph)?;
-        let composed = session.compose(Settings::default())?;
-        std::hint::black_box(&composed);
+        let session = Session::open(tool, &graph)?;
+        std::hint::black_box(&session.compose_once(Settings::default())?);
     }
     std::hint::black_box(&graph);
     println!("{}", peak()?);

@@ -183,8 +183,14 @@ fn sky(lab: &Lab) -> Outcome<String> {
     const MOST: u32 = 64;
     let gpu = Gpu::of(&lab.device, &lab.queue);
     let mut curves = Vec::new();
-    for name in ["noon", "sunset", "orbit"] {
-        let Ok(preset) = Preset::named(name) else { continue };
+    for (name, elevation) in [("sun at 45°", 45), ("sun at 5°", 5), ("sun at -4°", -4)] {
+        let scene = r#"{ "orogen": 1, "about": "", "scene": "scene/sky.wgsl", "set": {} }"#;
+        let mut preset = Preset::parse("sky.json", scene)?;
+        for assignment in
+            ["sky.model=atmosphere", "camera.elevation=20", &format!("sun.elevation={elevation}")]
+        {
+            preset.set(assignment)?;
+        }
         let picture = |samples: u32| {
             let mut preset = preset.clone();
             preset.set(&format!("sky.samples={samples}"))?;
@@ -202,12 +208,14 @@ fn sky(lab: &Lab) -> Outcome<String> {
             let pairs =
                 shown.pixels.iter().zip(&truth.pixels).flat_map(|(a, b)| (0..3).map(move |i| a[i] - b[i]));
             let squares: Vec<f64> = pairs.map(|difference| f64::from(difference).powi(2)).collect();
-            points.push((spent / 1e3, (squares.iter().sum::<f64>() / squares.len() as f64).sqrt()));
+            let mean =
+                truth.pixels.iter().map(|pixel| f64::from(pixel[1])).sum::<f64>() / truth.pixels.len() as f64;
+            points.push((spent / 1e3, (squares.iter().sum::<f64>() / squares.len() as f64).sqrt() / mean));
         }
         curves.push(Curve { name, points, joined: true });
     }
     let x = "seconds a megapixel";
-    let y = "RMS difference of display values to 64 samples";
+    let y = "RMS difference to 64 samples, over the mean";
     plot(
         &pictures()?.join("sky.svg"),
         "Sky: 2 to 32 samples a ray",

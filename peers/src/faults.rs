@@ -361,7 +361,7 @@ fn told(dialect: Dialect, fault: &Fault) -> Outcome<Option<Told>> {
     let mut graph = TREE.graph(dialect);
     for file in &mut graph.modules {
         if file.name == format!("m{}", fault.module) {
-            file.text.clone_from(&fault.text);
+            file.text = fault.text.as_str().into();
         }
     }
     let values = Settings::default();
@@ -405,7 +405,7 @@ fn told(dialect: Dialect, fault: &Fault) -> Outcome<Option<Told>> {
         Dialect::Wesl => {
             let mut resolver = VirtualResolver::new();
             for file in &graph.modules {
-                resolver.add_module(path(&file.name), file.text.as_str().into());
+                resolver.add_module(path(&file.name), (&*file.text).into());
             }
             resolver.add_module(path("root"), graph.root.as_str().into());
             if let Some(text) = settings(dialect, values) {

@@ -2,6 +2,7 @@
 //! tool has its own words for differs (where a module's names come from, conditions, settings).
 
 use std::fmt::Write;
+use std::sync::Arc;
 
 /// How modules include one another.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -66,7 +67,7 @@ impl Default for Settings {
 pub(crate) struct File {
     /// Without its extension: `m7`.
     pub(crate) name: String,
-    pub(crate) text: String,
+    pub(crate) text: Arc<str>,
 }
 
 /// A graph in one dialect.
@@ -114,7 +115,7 @@ impl Plan {
     pub(crate) fn graph(self, dialect: Dialect) -> Graph {
         // Whoever is included has the higher number.
         let modules = (0..self.modules).rev();
-        let file = |index| File { name: format!("m{index}"), text: self.module(dialect, index, 0) };
+        let file = |index| File { name: format!("m{index}"), text: self.module(dialect, index, 0).into() };
         Graph { modules: modules.map(file).collect(), root: self.root(dialect) }
     }
 

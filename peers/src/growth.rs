@@ -17,7 +17,7 @@ pub(crate) const TITLE: &str = "Growth";
 
 const FUNCTIONS: usize = 20;
 /// Modules: from a tenth of a megabyte of source to ten.
-const MODULES: [usize; 5] = [8, 25, 80, 250, 800];
+const MODULES: [usize; 5] = [8, 25, 80, 250, 1000];
 const MOST: Duration = Duration::from_secs(60);
 const SIZE: (u32, u32) = (240, 135);
 
@@ -46,7 +46,7 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
         let entrants: Vec<Entrant> = still_in.iter().map(|tool| Entrant::new(*tool, plan)).collect();
         let mut turns =
             entrants.iter().map(|entrant| entrant.turn(Work::Cold)).collect::<Outcome<Vec<_>>>()?;
-        let runs = interleaved(&mut turns, 7, Duration::from_secs(20))?;
+        let runs = interleaved(&mut turns, (2, 7), Duration::from_secs(10))?;
         let taken = |tool: &Tool| {
             let index = still_in.iter().position(|other| other == tool)?;
             let mib = peaks.iter().find(|(other, _)| other == tool)?.1;

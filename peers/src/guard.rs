@@ -111,7 +111,7 @@ fn rows() -> Vec<Row> {
 fn time(plan: Plan, work: Work, other: Tool) -> Outcome<f64> {
     let entrants = [Tool::Orogen, other].map(|tool| Entrant::new(tool, plan));
     let mut turns = entrants.iter().map(|entrant| entrant.turn(work)).collect::<Outcome<Vec<_>>>()?;
-    let runs = interleaved(&mut turns, 9, Duration::from_secs(2))?;
+    let runs = interleaved(&mut turns, (3, 9), Duration::from_secs(2))?;
     let [ours, theirs] = runs.as_slice() else { return Err("two contestants, and not two times".into()) };
     Ok(ours.cpu().median / theirs.cpu().median)
 }

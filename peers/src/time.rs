@@ -50,21 +50,26 @@ pub(crate) fn timed<T>(work: impl FnOnce() -> Outcome<T>) -> Outcome<Spent> {
     Ok(spent)
 }
 
-/// Lets all of `turns` run once unmeasured, then `most` times measured in turn, fewer where that would take longer than
-/// `budget`, but thrice.
-pub(crate) fn interleaved(turns: &mut [Turn<'_>], most: usize, budget: Duration) -> Outcome<Vec<Runs>> {
-    const LEAST: usize = 3;
+/// Lets all of `turns` run `most` times in turn, fewer where that would take longer than `budget`, but `least` times. A first
+/// round that is short is not counted: it fills caches that later ones find full.
+pub(crate) fn interleaved(
+    turns: &mut [Turn<'_>],
+    (least, most): (usize, usize),
+    budget: Duration,
+) -> Outcome<Vec<Runs>> {
+    const SHORT: Duration = Duration::from_secs(2);
     let start = Instant::now();
-    for turn in turns.iter_mut() {
-        turn(0)?;
-    }
     let mut runs = vec![Runs::default(); turns.len()];
-    for round in 1..=most {
-        if round > LEAST && start.elapsed() > budget {
+    for round in 0..=most {
+        let enough = runs.iter().all(|runs| runs.0.len() >= least);
+        if enough && start.elapsed() > budget {
             break;
         }
         for (turn, runs) in turns.iter_mut().zip(&mut runs) {
             runs.0.push(turn(round)?);
+        }
+        if round == 0 && start.elapsed() < SHORT {
+            runs.iter_mut().for_each(|runs| runs.0.clear());
         }
     }
     Ok(runs)

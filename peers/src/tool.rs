@@ -8,7 +8,7 @@ use std::collections::HashMap;
 
 use naga::valid::{ModuleInfo, ValidationFlags, Validator};
 use naga_oil::compose::{ComposableModuleDescriptor, Composer, NagaModuleDescriptor, ShaderDefValue};
-use orogen::{Bake, Compose, Library, Preset, Shader, check};
+use orogen::{Bake, Compose, Library, Preset, Shader, check, compose};
 use wesl::syntax::ModulePath;
 use wesl::{CompileOptions, Features, VirtualResolver, Wesl};
 
@@ -94,7 +94,7 @@ impl<'a> Session<'a> {
             Tool::Orogen => {
                 let mut library = Library::empty();
                 for file in &graph.modules {
-                    library = library.with_file(format!("{}.wgsl", file.name), file.text.as_str());
+                    library = library.with_file(format!("{}.wgsl", file.name), file.text.clone());
                 }
                 if let Some(text) = settings(Dialect::Orogen, Settings::default()) {
                     library = library.with_file("settings.wgsl", text);
@@ -113,8 +113,7 @@ impl<'a> Session<'a> {
                 Ok(session)
             }
             Tool::Wesl => {
-                let modules =
-                    graph.modules.iter().map(|file| (file.name.as_str(), file.text.as_str().into()));
+                let modules = graph.modules.iter().map(|file| (file.name.as_str(), (&*file.text).into()));
                 let mut session = Self::Wesl {
                     graph,
                     compiler: Wesl::new_barebones().set_custom_resolver(VirtualResolver::new()),
@@ -126,13 +125,21 @@ impl<'a> Session<'a> {
         }
     }
 
+    /// As [`Session::compose`], for those who will not compose again: what a tool has no more use for may go.
+    pub(crate) fn compose_once(mut self, values: Settings) -> Outcome<Composed> {
+        match self {
+            Self::Orogen { library, root, .. } => {
+                Ok(Composed::Orogen(compose(&library, &with(&root, values)?, &Bake::constants())?.into()))
+            }
+            _ => self.compose(values),
+        }
+    }
+
     /// Composes the graph under `values` and has naga validate what comes out.
     pub(crate) fn compose(&mut self, values: Settings) -> Outcome<Composed> {
         match self {
             Self::Orogen { library, root, compose } => {
-                let mut preset = root.clone();
-                preset.set(&format!("detail.fine={}", values.fine))?;
-                preset.set(&format!("detail.gain={}", values.gain))?;
+                let preset = with(root, values)?;
                 Ok(Composed::Orogen(compose.run(library, &preset, &Bake::constants())?.into()))
             }
             Self::NagaOil { composer, graph, .. } => {
@@ -187,7 +194,7 @@ impl<'a> Session<'a> {
         let Self::NagaOil { composer, graph, edited } = self else { return Ok(()) };
         for file in &graph.modules {
             if !composer.contains_module(&file.name) {
-                let source = edited.get(file.name.as_str()).map_or(file.text.as_str(), |text| text);
+                let source = edited.get(file.name.as_str()).map_or(&*file.text, |text| text);
                 let added = composer.add_composable_module(ComposableModuleDescriptor {
                     source,
                     file_path: &file.name,
@@ -220,6 +227,14 @@ impl<'a> Session<'a> {
         *compiler = new;
         Ok(())
     }
+}
+
+/// The root with its values.
+fn with(root: &Preset, values: Settings) -> Outcome<Preset> {
+    let mut preset = root.clone();
+    preset.set(&format!("detail.fine={}", values.fine))?;
+    preset.set(&format!("detail.gain={}", values.gain))?;
+    Ok(preset)
 }
 
 fn definitions(values: Settings) -> HashMap<String, ShaderDefValue> {

@@ -1,10 +1,10 @@
-//! A whole file: its tokens, its directives, and how its conditions nest.
+//! A whole file: its directives, and how its conditions nest.
 
 use std::sync::Arc;
 
 use super::directive::{Directive, DirectiveError, DirectiveKind, MAX_PREFIXES, parse_directive};
 use super::lexer::{is_line_break, lex};
-use super::token::{TokenKind, Tokens};
+use super::token::TokenKind;
 use crate::source::Span;
 
 /// A directive in its file.
@@ -25,8 +25,9 @@ pub struct Placed {
 pub struct Fragment {
     /// Its text.
     pub text: Arc<str>,
-    /// All of its tokens.
-    pub tokens: Tokens,
+    /// How many tokens it has. They are read again when it is split: that is a fifth of composing, and kept they would be
+    /// more than half of what is known of a file.
+    pub tokens: usize,
     /// All of its directives that could be read, in order.
     pub directives: Vec<Placed>,
     /// How many conditions there are.
@@ -44,7 +45,7 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
     let tokens = lex(&text);
     let mut fragment = Fragment {
         text,
-        tokens,
+        tokens: tokens.len(),
         directives: Vec::new(),
         conditions: 0,
         has_entry_point: false,
@@ -59,10 +60,10 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
     let mut broken_condition = false;
     let mut open_conditions = 0usize;
     let mut prefixes = Prefixes::default();
-    for token in 0..fragment.tokens.len() {
-        let span = fragment.tokens.span(token);
+    for token in 0..tokens.len() {
+        let span = tokens.span(token);
         let piece = &text[span.range()];
-        match fragment.tokens.kind(token) {
+        match tokens.kind(token) {
             TokenKind::Blank => {
                 if piece.chars().filter(|c| *c == '\n').count() > 1 {
                     doc = None;
