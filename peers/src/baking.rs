@@ -11,10 +11,9 @@ use crate::time::quartiles;
 
 pub(crate) const TITLE: &str = "Baking";
 
-const PRESETS: [&str; 5] = ["alpine", "cumulus", "dunes", "earth", "lake"];
+const PRESETS: [&str; 4] = ["alpine", "cumulus", "dunes", "lake"];
 const SIZE: (u32, u32) = (320, 180);
 const ROUNDS: usize = 5;
-const COMPILES: usize = 2;
 
 pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
     let mut rows = Vec::new();
@@ -27,17 +26,12 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
         let shaders = [constants?, overrides?, uniforms?];
         // On a device of its own each time, so that no driver knows the shader already; they take turns.
         let labs = [Lab::open()?, Lab::open()?, Lab::open()?];
-        let mut compiles = [const { Vec::new() }; 3];
+        let mut compile = [0.0; 3];
         let mut paintings = Vec::new();
-        for ((shader, lab), times) in shaders.iter().zip(&labs).zip(&mut compiles) {
+        for ((shader, lab), compile) in shaders.iter().zip(&labs).zip(&mut compile) {
             let (painting, time) = Painting::new(lab, shader, &preset, SIZE)?;
-            times.push(time);
+            *compile = time;
             paintings.push(painting);
-        }
-        for _ in 1..COMPILES {
-            for (shader, times) in shaders.iter().zip(&mut compiles) {
-                times.push(Painting::new(&Lab::open()?, shader, &preset, SIZE)?.1);
-            }
         }
         let mut frames = [const { Vec::new() }; 3];
         for _ in 0..ROUNDS {
@@ -45,7 +39,6 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
                 times.push(painting.draw(None)?);
             }
         }
-        let compile = compiles.map(|times| quartiles(times.into_iter()).median);
         let frame = frames.map(|times| quartiles(times.into_iter()).median);
         let buys = |other: usize| format!("{:+.0} %", 100.0 * (frame[other] / frame[0] - 1.0));
         let cell = |index: usize| format!("{} / {}", number(frame[index]), number(compile[index]));
@@ -54,7 +47,7 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
     let text = format!(
         "The same preset with all parameters constant, with all as pipeline overrides, and with all in one uniform buffer (`frame.*` is \
          always uniform, options never are): {} for a frame of {}×{} / for compiling, from WGSL to the first pixel, with a device of its \
-         own each time. Medians of {ROUNDS} and {COMPILES}, taking turns. The last two columns: how much longer a frame takes than \
+         own. Frames are medians of {ROUNDS} that take turns; a compilation is one. The last two columns: how much longer a frame takes than \
          with constants.\n\n{}",
         lab.clock(),
         SIZE.0,

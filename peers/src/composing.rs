@@ -312,8 +312,8 @@ fn text(rows: &[Row], weights: &[Weight], outs: &[(Plan, Tool, String)], compare
 const WHY: &str = "
 ### What stands in the way
 
-Profiles (callgrind and massif, of the graph wide 100×20 composed cold) say where Orogen's time and memory go: 84 % of the instructions \
-are naga parsing the composed text, 8 % naga validating it, 7 % composing, of which each file's text is read twice. A leaf edited costs \
+Profiles (callgrind and massif, of the graph wide 100×20 composed cold) say where Orogen's time and memory go: 82 % of the instructions \
+are naga parsing the composed text, 9 % naga validating it, 8 % composing, of which each file's text is read twice. A leaf edited costs \
 what naga takes for the whole text: composing alone is then a few percent. `naga_oil` keeps naga's module of each file, so a link \
 without anything new parses the root alone; it pays for that when anything is new, since whatever depends on the change is built \
 again. Orogen hands one text to naga, which is what lets it keep the author's words; there is no way to hand naga a part of it.
