@@ -313,15 +313,15 @@ const WHY: &str = "
 ### What stands in the way
 
 Profiles (callgrind and massif, of the graph wide 100×20 composed cold) say where Orogen's time and memory go: 82 % of the instructions \
-are naga parsing the composed text, 9 % naga validating it, 8 % composing, of which each file's text is read twice. A leaf edited costs \
+are naga parsing the composed text, 9 % naga validating it, 8 % composing. A leaf edited costs \
 what naga takes for the whole text: composing alone is then a few percent. `naga_oil` keeps naga's module of each file, so a link \
 without anything new parses the root alone; it pays for that when anything is new, since whatever depends on the change is built \
 again. Orogen hands one text to naga, which is what lets it keep the author's words; there is no way to hand naga a part of it.
 
 Memory peaks while naga parses, and nine tenths of the peak are naga's tree and module, the same for whoever hands it one text. What \
-Orogen adds is its text with comments, where each name stands, and, while it may compose again, what it knows of each file. Tokens are \
-read again instead of being kept, and what is only for the next composition goes before naga comes where there is no next one: \
-both are mends that this suite brought.
+Orogen adds is its text with comments, where each name stands, and, while it may compose again, what it knows of each file. Tokens go \
+once a file is split, and what is only for the next composition goes before naga comes where there is no next one: both are mends \
+that this suite brought.
 ";
 
 fn explained(work: Work) -> &'static str {

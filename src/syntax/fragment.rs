@@ -1,10 +1,10 @@
 //! A whole file: its directives, and how its conditions nest.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::directive::{Directive, DirectiveError, DirectiveKind, MAX_PREFIXES, parse_directive};
 use super::lexer::{is_line_break, lex};
-use super::token::TokenKind;
+use super::token::{TokenKind, Tokens};
 use crate::source::Span;
 
 /// A directive in its file.
@@ -21,12 +21,11 @@ pub struct Placed {
 }
 
 /// A file, read but not yet decided: conditions are open.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Fragment {
     /// Its text.
     pub text: Arc<str>,
-    /// How many tokens it has. They are read again when it is split: that is a fifth of composing, and kept they would be
-    /// more than half of what is known of a file.
+    /// How many tokens it has.
     pub tokens: usize,
     /// All of its directives that could be read, in order.
     pub directives: Vec<Placed>,
@@ -38,6 +37,17 @@ pub struct Fragment {
     pub has_main_image: bool,
     /// What could not be read.
     pub errors: Vec<DirectiveError>,
+    /// Its tokens, until it is split. Kept, they would be more than half of what is known of a file, and few files are split
+    /// a second time: then they are read anew.
+    spare: Mutex<Option<Tokens>>,
+}
+
+impl Fragment {
+    /// All of its tokens; the caller's to keep or to drop.
+    pub(super) fn take_tokens(&self) -> Tokens {
+        let spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner).take();
+        spare.unwrap_or_else(|| lex(&self.text))
+    }
 }
 
 /// Reads a file. What is wrong with its directives is in [`Fragment::errors`].
@@ -51,6 +61,7 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
         has_entry_point: false,
         has_main_image: false,
         errors: Vec::new(),
+        spare: Mutex::default(),
     };
     // The last token but trivia: `@`, or the word `fn`.
     let (mut after_at, mut after_fn) = (false, false);
@@ -117,6 +128,7 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
     if !broken_condition {
         fragment.check_nesting(); // else every `#endif` of a misspelt `#if` would be a fault too
     }
+    fragment.spare = Mutex::new(Some(tokens));
     fragment
 }
 

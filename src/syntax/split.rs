@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 use super::declaration::{Declaration, DeclarationKind, Module, Reference, Stage, Symbol};
 use super::directive::DirectiveError;
 use super::fragment::{Branches, Fragment, after_line_break};
-use super::lexer::{is_line_break, lex};
+use super::lexer::is_line_break;
 use super::token::TokenKind;
 use crate::source::Span;
 
@@ -30,7 +30,7 @@ pub fn split(fragment: &Fragment, truth: &[bool]) -> Module {
     };
     let mut branches = Branches::default();
     let mut directives = fragment.directives.iter().peekable();
-    for (index, (kind, span)) in lex(&fragment.text).iter().enumerate() {
+    for (index, (kind, span)) in fragment.take_tokens().iter().enumerate() {
         if kind == TokenKind::Directive {
             let Some(placed) = directives.next_if(|placed| placed.token == index) else { continue };
             let before = branches.active();
