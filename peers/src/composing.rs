@@ -318,6 +318,10 @@ what naga takes for the whole text: composing alone is then a few percent. `naga
 without anything new parses the root alone; it pays for that when anything is new, since whatever depends on the change is built \
 again. Orogen hands one text to naga, which is what lets it keep the author's words; there is no way to hand naga a part of it.
 
+At wide 400×20 the root is one function of 8000 calls. naga's time for such a function grows faster than its length, for all alike: \
+there Orogen and `wesl` take about seven times what they take at wide 100×20, `naga_oil` five and a half times. In the diamond of the \
+same size, whose root has 160 calls, they take four and a half times.
+
 Memory peaks while naga parses, and nine tenths of the peak are naga's tree and module, the same for whoever hands it one text. What \
 Orogen adds is its text with comments, where each name stands, and, while it may compose again, what it knows of each file. Tokens go \
 once a file is split, and what is only for the next composition goes before naga comes where there is no next one: both are mends \
