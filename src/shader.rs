@@ -16,7 +16,9 @@ use crate::source::{Library, Source, Templates};
 /// # Errors
 /// Everything that is wrong with the preset, the fragments or the composed WGSL, told in the author's files.
 pub fn compose(library: &Library, preset: &Preset, bake: &Bake) -> Result<Shader, Error> {
-    Compose::default().run(library, preset, bake)
+    // What is known for the next time goes before naga comes: there is none.
+    let baked = Compose::default().bake(library, preset, bake)?;
+    finished(baked)
 }
 
 /// How to compose, for those who need more than [`compose`]. Keeps what it has read: composing again after a change reads
@@ -51,21 +53,7 @@ impl Compose {
     /// # Errors
     /// As [`compose`].
     pub fn run(&mut self, library: &Library, preset: &Preset, bake: &Bake) -> Result<Shader, Error> {
-        let baked = self.bake(library, preset, bake)?;
-        let parameters = baked.composition.parameters.iter();
-        let mut declarations = Declarations::default();
-        for parameter in parameters {
-            let declared =
-                Declared { decl: parameter.decl.clone(), file: parameter.at.0, span: parameter.at.1 };
-            let _ = declarations.add_parameter(declared); // each once, as `compose` has seen to
-        }
-        for option in &baked.composition.options {
-            let declared = Declared { decl: option.decl.clone(), file: option.at.0, span: option.at.1 };
-            let _ = declarations.add_option(declared);
-        }
-        #[cfg(feature = "check")]
-        let baked = check::check(baked)?;
-        Ok(Shader { baked, declarations })
+        finished(self.bake(library, preset, bake)?)
     }
 
     /// Composes and bakes, and leaves the checking.
@@ -109,6 +97,23 @@ impl Compose {
             keep_unused: self.keep_unused,
         })
     }
+}
+
+/// Checks what is baked, and keeps what uniform buffers are filled by.
+fn finished(baked: Baked) -> Result<Shader, Error> {
+    let parameters = baked.composition.parameters.iter();
+    let mut declarations = Declarations::default();
+    for parameter in parameters {
+        let declared = Declared { decl: parameter.decl.clone(), file: parameter.at.0, span: parameter.at.1 };
+        let _ = declarations.add_parameter(declared); // each once, as `compose` has seen to
+    }
+    for option in &baked.composition.options {
+        let declared = Declared { decl: option.decl.clone(), file: option.at.0, span: option.at.1 };
+        let _ = declarations.add_option(declared);
+    }
+    #[cfg(feature = "check")]
+    let baked = check::check(baked)?;
+    Ok(Shader { baked, declarations })
 }
 
 /// A shader: composed and baked, and with the feature `check`, checked.

@@ -2,6 +2,7 @@
 
 mod guard;
 mod report;
+mod statement;
 
 pub(crate) use guard::guarded;
 pub use guard::{Panicked, is_guarded};
@@ -39,10 +40,10 @@ pub fn check(baked: Baked) -> Result<Checked, Error> {
     let outcome = guarded(|| {
         let options = wgsl::Options { parse_doc_comments: false, capabilities: capabilities() };
         let module = wgsl::Frontend::new_with_options(options).parse(text).map_err(Fault::Parse)?;
-        let info = Validator::new(ValidationFlags::all(), capabilities())
-            .validate(&module)
-            .map_err(|error| Fault::Invalid(Box::new(error)))?;
-        Ok((module, info))
+        match Validator::new(ValidationFlags::all(), capabilities()).validate(&module) {
+            Ok(info) => Ok((module, info)),
+            Err(error) => Err(Fault::Invalid(Box::new(error), Box::new(module))),
+        }
     });
     match outcome {
         Ok(Ok((module, info))) => {
@@ -52,7 +53,7 @@ pub fn check(baked: Baked) -> Result<Checked, Error> {
         Ok(Err(fault)) => {
             let diagnostic = match &fault {
                 Fault::Parse(error) => report::parse_error(&baked, error),
-                Fault::Invalid(error) => report::validation_error(&baked, error),
+                Fault::Invalid(error, module) => report::validation_error(&baked, module, error),
             };
             Err(Error::new(vec![diagnostic], baked.composition.files.clone()))
         }
@@ -70,7 +71,7 @@ impl From<Panicked> for Error {
 
 enum Fault {
     Parse(wgsl::ParseError),
-    Invalid(Box<naga::WithSpan<naga::valid::ValidationError>>),
+    Invalid(Box<naga::WithSpan<naga::valid::ValidationError>>, Box<naga::Module>),
 }
 
 /// Entry points and bindings, from naga's module.

@@ -1,11 +1,13 @@
 //! naga's errors, told at the place in the author's file.
 
 use std::error::Error as _;
+use std::ops::Range;
 
 use naga::front::wgsl::ParseError;
 use naga::valid::{CallError, EntryPointError, ExpressionError, FunctionError, ValidationError};
-use naga::{BinaryOperator, Scalar, ScalarKind, Span as NagaSpan, TypeInner, WithSpan};
+use naga::{BinaryOperator, Module, Scalar, ScalarKind, Span as NagaSpan, TypeInner, WithSpan};
 
+use super::statement;
 use crate::bake::Baked;
 use crate::diagnostic::{Diagnostic, nearest};
 use crate::source::Span;
@@ -17,7 +19,7 @@ pub(super) fn parse_error(baked: &Baked, error: &ParseError) -> Diagnostic {
         let label = if label == "see msg" { "here" } else { label };
         (span, label.to_owned())
     });
-    let labels: Vec<_> = labels.collect();
+    let labels = argument_first(baked, labels.collect());
     diagnostic = place(baked, diagnostic, &labels);
     diagnostic = diagnostic.notes(error.notes().map(str::to_owned));
     if error.message().starts_with("Unexpected runtime-expression") {
@@ -33,7 +35,25 @@ pub(super) fn parse_error(baked: &Baked, error: &ParseError) -> Diagnostic {
     diagnostic
 }
 
-pub(super) fn validation_error(baked: &Baked, error: &WithSpan<ValidationError>) -> Diagnostic {
+/// Of a call, the argument that is wrong is the place of the fault, not the function's name before it. What it stands for may
+/// be declared elsewhere, and naga then points there: the call stays the place.
+fn argument_first(baked: &Baked, mut labels: Vec<(NagaSpan, String)>) -> Vec<(NagaSpan, String)> {
+    let wrong = labels.iter().position(|(_, label)| label.starts_with("argument #"));
+    let ranges = wrong.and_then(|wrong| Some((labels.first()?.0.to_range()?, labels[wrong].0.to_range()?)));
+    if let (Some(wrong), Some((call, argument))) = (wrong, ranges)
+        && let Some(between) = baked.text.get(call.end..argument.start)
+        && !between.contains(';')
+    {
+        labels[..=wrong].rotate_right(1);
+    }
+    labels
+}
+
+pub(super) fn validation_error(
+    baked: &Baked,
+    module: &Module,
+    error: &WithSpan<ValidationError>,
+) -> Diagnostic {
     // The innermost reason says what is wrong; of the outer ones, those count that name something of the author's.
     let mut reasons = vec![error.as_inner().to_string()];
     let mut source = error.as_inner().source();
@@ -55,7 +75,7 @@ pub(super) fn validation_error(baked: &Baked, error: &WithSpan<ValidationError>)
     // The narrowest place first: the whole function around it says nothing that the narrower does not.
     let mut spans: Vec<_> = error.spans().cloned().collect();
     spans.sort_by_key(|(span, _)| span.to_range().map_or(usize::MAX, |range| range.len()));
-    let labels: Vec<_> = spans
+    let mut labels: Vec<_> = spans
         .into_iter()
         .take(1)
         .map(|(span, label)| {
@@ -63,6 +83,20 @@ pub(super) fn validation_error(baked: &Baked, error: &WithSpan<ValidationError>)
             (span, if says_more { label } else { at_place.clone() })
         })
         .collect();
+    // Where a value is declared is not where it is wrong.
+    let statement = statement::refused(module, error.as_inner()).and_then(|span| head(baked, span));
+    if let Some(statement) = statement {
+        let range = |span: &NagaSpan| span.to_range().unwrap_or_default();
+        let has =
+            |outer: &Range<usize>, inner: &Range<usize>| outer.start <= inner.start && inner.end <= outer.end;
+        if !labels.iter().any(|(span, _)| has(&statement, &range(span))) {
+            labels.retain(|(span, _)| !has(&range(span), &statement)); // the whole function
+            for (_, label) in labels.iter_mut().filter(|(_, label)| label == "here") {
+                *label = "comes from here".into();
+            }
+            labels.insert(0, (NagaSpan::new(statement.start as u32, statement.end as u32), "here".into()));
+        }
+    }
     let mut diagnostic = place(baked, Diagnostic::error("OR0702", message), &labels).help(help);
     let named = match error.as_inner() {
         ValidationError::Function { name, .. } => Some(format!("in the function `{name}`")),
@@ -73,6 +107,14 @@ pub(super) fn validation_error(baked: &Baked, error: &WithSpan<ValidationError>)
     };
     diagnostic.notes.splice(0..0, named);
     diagnostic
+}
+
+/// A statement without the blocks in it.
+fn head(baked: &Baked, statement: NagaSpan) -> Option<Range<usize>> {
+    let range = statement.to_range()?;
+    let text = baked.text.get(range.clone())?;
+    let head = text.find('{').map_or(text, |block| &text[..block]).trim_end();
+    Some(range.start..range.start + head.len())
 }
 
 /// The commonest faults without naga's numbers: the message, the label at the place, and the help.
@@ -96,6 +138,14 @@ fn in_words(name: &str, error: &FunctionError) -> Option<(String, String, Option
             let message = format!("`{}` does not take `{left}` and `{right}`", operator(*op));
             Some((message, "here".into(), None))
         }
+        FunctionError::InvalidIfType(_) => {
+            Some(("the condition of `if` is not a `bool`".into(), "here".into(), None))
+        }
+        FunctionError::InvalidCall { error: CallError::ArgumentType { index, .. }, .. } => Some((
+            format!("argument {} is not of the type that the function declares", index + 1),
+            "here".into(),
+            None,
+        )),
         FunctionError::InvalidCall { error: CallError::ArgumentCount { required, seen }, .. } => {
             Some((format!("the function takes {required} arguments, not {seen}"), "called here".into(), None))
         }

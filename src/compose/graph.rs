@@ -210,7 +210,7 @@ impl Graph {
         if index == next {
             // Every name may carry the prefix, and prefixes grow with depth.
             let fragment = &self.loaded[loaded].fragment;
-            self.bytes += fragment.text.len() + prefix.len() * (fragment.tokens.len() / 2 + 1);
+            self.bytes += fragment.text.len() + prefix.len() * (fragment.tokens / 2 + 1);
             self.instances.push(Instance { loaded, prefix, parent, includes: Vec::new(), renamed: None });
         }
         (index, index == next)

@@ -1,6 +1,6 @@
-//! A whole file: its tokens, its directives, and how its conditions nest.
+//! A whole file: its directives, and how its conditions nest.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::directive::{Directive, DirectiveError, DirectiveKind, MAX_PREFIXES, parse_directive};
 use super::lexer::{is_line_break, lex};
@@ -21,12 +21,12 @@ pub struct Placed {
 }
 
 /// A file, read but not yet decided: conditions are open.
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub struct Fragment {
     /// Its text.
     pub text: Arc<str>,
-    /// All of its tokens.
-    pub tokens: Tokens,
+    /// How many tokens it has.
+    pub tokens: usize,
     /// All of its directives that could be read, in order.
     pub directives: Vec<Placed>,
     /// How many conditions there are.
@@ -37,6 +37,17 @@ pub struct Fragment {
     pub has_main_image: bool,
     /// What could not be read.
     pub errors: Vec<DirectiveError>,
+    /// Its tokens, until it is split. Kept, they would be more than half of what is known of a file, and few files are split
+    /// a second time: then they are read anew.
+    spare: Mutex<Option<Tokens>>,
+}
+
+impl Fragment {
+    /// All of its tokens; the caller's to keep or to drop.
+    pub(super) fn take_tokens(&self) -> Tokens {
+        let spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner).take();
+        spare.unwrap_or_else(|| lex(&self.text))
+    }
 }
 
 /// Reads a file. What is wrong with its directives is in [`Fragment::errors`].
@@ -44,12 +55,13 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
     let tokens = lex(&text);
     let mut fragment = Fragment {
         text,
-        tokens,
+        tokens: tokens.len(),
         directives: Vec::new(),
         conditions: 0,
         has_entry_point: false,
         has_main_image: false,
         errors: Vec::new(),
+        spare: Mutex::default(),
     };
     // The last token but trivia: `@`, or the word `fn`.
     let (mut after_at, mut after_fn) = (false, false);
@@ -59,10 +71,10 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
     let mut broken_condition = false;
     let mut open_conditions = 0usize;
     let mut prefixes = Prefixes::default();
-    for token in 0..fragment.tokens.len() {
-        let span = fragment.tokens.span(token);
+    for token in 0..tokens.len() {
+        let span = tokens.span(token);
         let piece = &text[span.range()];
-        match fragment.tokens.kind(token) {
+        match tokens.kind(token) {
             TokenKind::Blank => {
                 if piece.chars().filter(|c| *c == '\n').count() > 1 {
                     doc = None;
@@ -116,6 +128,7 @@ pub fn parse_fragment(text: Arc<str>) -> Fragment {
     if !broken_condition {
         fragment.check_nesting(); // else every `#endif` of a misspelt `#if` would be a fault too
     }
+    fragment.spare = Mutex::new(Some(tokens));
     fragment
 }
 

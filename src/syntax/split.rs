@@ -30,8 +30,7 @@ pub fn split(fragment: &Fragment, truth: &[bool]) -> Module {
     };
     let mut branches = Branches::default();
     let mut directives = fragment.directives.iter().peekable();
-    for index in 0..fragment.tokens.len() {
-        let (kind, span) = (fragment.tokens.kind(index), fragment.tokens.span(index));
+    for (index, (kind, span)) in fragment.take_tokens().iter().enumerate() {
         if kind == TokenKind::Directive {
             let Some(placed) = directives.next_if(|placed| placed.token == index) else { continue };
             let before = branches.active();
@@ -303,6 +302,12 @@ impl<'a> Splitter<'a> {
         }
         self.keep_until(end);
         self.module.tail = self.first_piece..self.module.pieces.len();
+        let module = &mut self.module; // it is kept
+        module.declarations.shrink_to_fit();
+        module.references.shrink_to_fit();
+        module.pieces.shrink_to_fit();
+        module.locals.shrink_to_fit();
+        module.names.shrink_to_fit();
         self.module
     }
 

@@ -9,6 +9,7 @@
 )]
 
 mod accuracy;
+mod bench;
 mod browser;
 mod cases;
 mod demo;
@@ -27,7 +28,7 @@ use run::Outcome;
 const HELP: &str = "\
 Orogen's chores
 
-usage: cargo xtask <demo|test|judge [NAME…]|accuracy|gallery [NAME…]> [--no-install]
+usage: cargo xtask <demo|test|judge [NAME…]|accuracy|gallery [NAME…]|bench [PART…]> [--no-install]
 
   demo      builds Orogen and makes out/alpine.wgsl (a shader to put into your own program),
             out/alpine.shadertoy.glsl (a shader to paste into Shadertoy) and out/alpine.png (its picture)
@@ -38,6 +39,10 @@ usage: cargo xtask <demo|test|judge [NAME…]|accuracy|gallery [NAME…]> [--no-
             With names, what is written for those presets only
   accuracy  measures the library and writes docs/accuracy.md: what each function promises, and what it keeps
   gallery   draws the built-in presets, or those named, into docs/gallery/ and writes docs/gallery.md
+
+  bench     measures Orogen beside what one would pick instead, all parts or those named, and writes
+            docs/benchmarks.md; takes an hour. With --quick, a few ratios in under three minutes, held against
+            peers/baseline.json: one that is worse by a fifth fails; with --quick --accept, writes that file
 
   --no-install   install nothing: say what is missing and how to get it, and stop
 
@@ -57,6 +62,7 @@ enum Chore {
     Judge(Install, Vec<String>),
     Accuracy(Install),
     Gallery(Install, Vec<String>),
+    Bench(Install, bench::What),
     Help,
 }
 
@@ -85,6 +91,7 @@ fn carry_out(chore: &Chore) -> Outcome {
         Chore::Judge(install, names) => judges::judge_alone(*install, names),
         Chore::Accuracy(install) => accuracy::accuracy(*install),
         Chore::Gallery(install, names) => gallery::gallery(*install, names),
+        Chore::Bench(install, what) => bench::bench(*install, what),
         Chore::Help => {
             print!("{HELP}");
             Ok(())
@@ -96,15 +103,21 @@ fn carry_out(chore: &Chore) -> Outcome {
 fn parse(arguments: &[String]) -> Result<Chore, String> {
     let mut install = Install::WhatIsMissing;
     let mut names = Vec::new();
+    let (mut quick, mut accept) = (false, false);
     for argument in arguments {
         match argument.as_str() {
             "-h" | "--help" | "help" => return Ok(Chore::Help),
             "--no-install" => install = Install::Nothing,
+            "--quick" => quick = true,
+            "--accept" => accept = true,
             flag if flag.starts_with('-') => return Err(format!("there is no flag `{flag}`")),
             name => names.push(name),
         }
     }
     let owned = |names: &[&str]| names.iter().map(|&name| name.to_owned()).collect();
+    if (quick || accept) && names != ["bench"] {
+        return Err("`--quick` and `--accept` are for `bench` without parts".to_owned());
+    }
     match names.as_slice() {
         [] => Err("which chore?".to_owned()),
         ["demo"] => Ok(Chore::Demo(install)),
@@ -112,6 +125,9 @@ fn parse(arguments: &[String]) -> Result<Chore, String> {
         ["judge", presets @ ..] => Ok(Chore::Judge(install, owned(presets))),
         ["accuracy"] => Ok(Chore::Accuracy(install)),
         ["gallery", presets @ ..] => Ok(Chore::Gallery(install, owned(presets))),
+        ["bench"] if accept && !quick => Err("`--accept` goes with `--quick`".to_owned()),
+        ["bench"] if quick => Ok(Chore::Bench(install, bench::What::Quick { accept })),
+        ["bench", parts @ ..] => Ok(Chore::Bench(install, bench::What::Parts(owned(parts)))),
         [name] => Err(format!("there is no chore `{name}`")),
         [_, second, ..] => Err(format!("one chore at a time: `{second}` is one too many")),
     }
@@ -143,6 +159,19 @@ mod tests {
         let one = Chore::Judge(Install::WhatIsMissing, names(&["earth"]));
         assert_eq!(parsed("judge earth"), Ok(one));
         assert!(parsed("accuracy alpine").is_err());
+    }
+
+    #[test]
+    fn the_bench_takes_parts_or_is_quick() {
+        let parts = |parts: &[&str]| bench::What::Parts(parts.iter().map(|&part| part.to_owned()).collect());
+        let of = |what| Ok(Chore::Bench(Install::WhatIsMissing, what));
+        assert_eq!(parsed("bench"), of(parts(&[])));
+        assert_eq!(parsed("bench noise composing"), of(parts(&["noise", "composing"])));
+        assert_eq!(parsed("bench --quick"), of(bench::What::Quick { accept: false }));
+        assert_eq!(parsed("bench --accept --quick"), of(bench::What::Quick { accept: true }));
+        for line in ["bench --accept", "bench noise --quick", "test --quick", "gallery alpine --accept"] {
+            assert!(parsed(line).is_err(), "`{line}` passed");
+        }
     }
 
     #[test]

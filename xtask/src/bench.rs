@@ -1,0 +1,27 @@
+//! `cargo xtask bench`: Orogen beside what one would pick instead → docs/benchmarks.md, or a guard over a few ratios.
+
+use crate::install::{self, Install};
+use crate::run::{Outcome, cargo, run};
+
+/// What is to be measured.
+#[derive(Debug, PartialEq)]
+pub(crate) enum What {
+    /// These parts of the suite; all where none is named.
+    Parts(Vec<String>),
+    /// A few ratios, held against the committed ones; with `accept`, those are written instead.
+    Quick { accept: bool },
+}
+
+/// Builds the suite and runs it.
+pub(crate) fn bench(install: Install, what: &What) -> Outcome {
+    install::driver(install)?;
+    let mut suite = cargo("run --release -p peers --");
+    match what {
+        What::Parts(parts) => suite.args(parts),
+        What::Quick { accept: false } => suite.arg("--quick"),
+        What::Quick { accept: true } => suite.args(["--quick", "--accept"]),
+    };
+    suite.envs(install::driver_for_tests());
+    suite.env("MESA_SHADER_CACHE_DISABLE", "true"); // compiling is measured, too
+    run(&mut suite)
+}
