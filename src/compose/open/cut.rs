@@ -3,7 +3,7 @@
 
 use super::formula::{Formula, Full};
 use crate::source::Span;
-use crate::syntax::{DirectiveKind, Fragment, TokenKind};
+use crate::syntax::{DirectiveKind, Fragment, TokenKind, Tokens, lex};
 
 /// A fragment, all branches of it.
 pub(super) struct Cut {
@@ -64,6 +64,7 @@ struct Open {
 
 struct Cutter<'a> {
     fragment: &'a Fragment,
+    tokens: &'a Tokens,
     full: &'a Full,
     cut: Cut,
     from: u32,
@@ -89,11 +90,20 @@ pub(super) fn cut(
         directives: Vec::new(),
     };
     let level = Level { conditions: 0, item: None, round: 0, kind: Kind::File };
-    let mut cutter =
-        Cutter { fragment, full, cut, from: 0, open: Vec::new(), levels: vec![level], is_struct: false };
+    let tokens = &lex(&fragment.text);
+    let mut cutter = Cutter {
+        fragment,
+        tokens,
+        full,
+        cut,
+        from: 0,
+        open: Vec::new(),
+        levels: vec![level],
+        is_struct: false,
+    };
     let mut directives = fragment.directives.iter().peekable();
-    for index in 0..fragment.tokens.len() {
-        let kind = fragment.tokens.kind(index);
+    for index in 0..tokens.len() {
+        let kind = tokens.kind(index);
         if kind == TokenKind::Directive {
             let Some(placed) = directives.next_if(|placed| placed.token == index) else { continue };
             cutter.copy(placed.removed.start);
@@ -143,7 +153,7 @@ impl Cutter<'_> {
 
     fn token(&mut self, index: usize, word: &impl Fn(&Formula) -> String) {
         use TokenKind as K;
-        let (kind, span) = (self.fragment.tokens.kind(index), self.fragment.tokens.span(index));
+        let (kind, span) = (self.tokens.kind(index), self.tokens.span(index));
         let is_file = self.levels.len() == 1;
         let Some(level) = self.levels.last_mut() else { return };
         if level.item.is_none() && !matches!(kind, K::BraceClose | K::Semicolon) {
@@ -188,7 +198,7 @@ impl Cutter<'_> {
 
     /// Whether an `else` comes after the token numbered `index`.
     fn goes_on_with_else(&self, index: usize) -> bool {
-        let tokens = &self.fragment.tokens;
+        let tokens = self.tokens;
         let next = (index + 1..tokens.len())
             .find(|next| !tokens.kind(*next).is_trivia() && tokens.kind(*next) != TokenKind::Directive);
         next.is_some_and(|next| &self.fragment.text[tokens.span(next).range()] == "else")
