@@ -87,8 +87,7 @@ fn what_cannot_be_left_open_is_told_at_its_place() {
     let whole = |text: &str| {
         let library = Library::empty().with_file("land.wgsl", text);
         library_package(&library, &LibraryStyle::default(), &Templates::standard())
-            .err()
-            .expect("WESL cannot say it")
+            .expect_err("WESL cannot say it")
     };
     let cut = "#option land.high = true\n\nfn height() -> f32 {\n    return 1.0\n#if land.high\n        + 2.0\n#endif\n    ;\n}\n";
     expect("a-condition-in-the-middle", whole(cut));

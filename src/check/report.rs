@@ -97,6 +97,10 @@ pub(super) fn validation_error(
             labels.insert(0, (NagaSpan::new(statement.start as u32, statement.end as u32), "here".into()));
         }
     }
+    // Of an entry point's interface naga tells no place: its name, then.
+    if let (true, ValidationError::EntryPoint { name, .. }) = (labels.is_empty(), error.as_inner()) {
+        labels.extend(function_name(baked, name).map(|span| (span, at_place)));
+    }
     let mut diagnostic = place(baked, Diagnostic::error("OR0702", message), &labels).help(help);
     let named = match error.as_inner() {
         ValidationError::Function { name, .. } => Some(format!("in the function `{name}`")),
@@ -107,6 +111,16 @@ pub(super) fn validation_error(
     };
     diagnostic.notes.splice(0..0, named);
     diagnostic
+}
+
+/// Where the function `name` is declared: its name there.
+fn function_name(baked: &Baked, name: &str) -> Option<NagaSpan> {
+    let tokens = lex(&baked.text);
+    let words: Vec<_> = tokens.iter().filter(|(kind, _)| !kind.is_trivia()).map(|(_, span)| span).collect();
+    let text = |span: &Span| &baked.text[span.range()];
+    let declared = words.windows(2).find(|pair| text(&pair[0]) == "fn" && text(&pair[1]) == name)?;
+    let range = declared[1].range();
+    Some(NagaSpan::new(range.start as u32, range.end as u32))
 }
 
 /// A statement without the blocks in it.
