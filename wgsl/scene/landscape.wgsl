@@ -237,9 +237,7 @@ fn scene_air(origin: vec3f, direction: vec3f, distance: f32) -> SkyAir {
 
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1.
 fn main_image(frag_coord: vec2f) -> vec4f {
-    // High above the ground, the camera does not need to know what is small on it.
-    let under = terrain_height_filtered(camera.position.xz, max(0.02 * camera.position.y, 0.0));
-    let ray = camera_ray(frag_coord, under);
+    let ray = camera_ray(frag_coord, terrain_height(camera.position.xz));
     let jitter = interleaved_gradient_noise(frag_coord, frame.index);
     let seen = landscape_trace(ray.origin, ray.direction, jitter);
     return vec4f(display_color(seen.radiance, frag_coord), 1.0);

@@ -88,8 +88,9 @@ struct Subject<'a> {
 
 /// Presets that go every road: one of each kind of scene.
 const EVERY_ROAD: [&str; 3] = ["alpine", "flight", "earth"];
-/// What the Shadertoy file of `alpine` may take to compile (ms).
-const ALPINE_LIMIT: f64 = 2000.0;
+/// What the Shadertoy file of `alpine` may take to compile (ms): twice what is promised of a quiet machine, since machines that
+/// judge are shared, and one and the same file took from 1.4 to 2.5 s on them.
+const ALPINE_LIMIT: f64 = 4000.0;
 
 /// What the browser draws of `presets`.
 fn subjects<'a>(presets: &[&'a str]) -> Vec<Subject<'a>> {
@@ -350,10 +351,10 @@ mod tests {
 
     #[test]
     fn all_that_is_wrong_is_told() {
-        let slow_and_unlike = row(Ok(2001.0), [Some(60.0), Some(44.9), None]);
+        let slow_and_unlike = row(Ok(4001.0), [Some(60.0), Some(44.9), None]);
         let complaints = slow_and_unlike.complaints();
         assert_eq!(complaints.len(), 3, "{complaints:?}");
-        assert!(complaints[0].contains("2001 ms") && complaints[1].contains("at 7.5 s"), "{complaints:?}");
+        assert!(complaints[0].contains("4001 ms") && complaints[1].contains("at 7.5 s"), "{complaints:?}");
         assert!(slow_and_unlike.to_string().ends_with("FAILS"));
         let refused = row(Err("ERROR: 0:4: 'nope' : undeclared identifier".into()), [None; 3]);
         assert_eq!(refused.complaints().len(), 1);
