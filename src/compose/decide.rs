@@ -161,12 +161,17 @@ fn apply(
         (_, O::Name(name)) => return Err(unknown(name, (at.0, right.span), known)),
         (a, b) => return Err(ComposeError::Mismatch { left: a.describe(), right: b.describe(), at }),
     };
-    Ok(match operator {
+    Ok(compare(operator, a, b))
+}
+
+/// What a comparison of numbers says; of choices, of their numbers.
+pub(super) fn compare(operator: Operator, a: f64, b: f64) -> bool {
+    match operator {
         Operator::Equal => a == b,
         Operator::NotEqual => a != b,
         Operator::Less => a < b,
         Operator::LessEqual => a <= b,
         Operator::Greater => a > b,
         _ => a >= b,
-    })
+    }
 }

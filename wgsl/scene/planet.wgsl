@@ -57,8 +57,8 @@ struct Traced {
 const GROUND_STEPS: i32 = 12;
 const GROUND_GROWTH: f32 = 0.2;
 const GROUND_REFINEMENTS: i32 = 1;
-const GROUND_DETAIL: f32 = 4.0; // width of the smallest detail looked at, in pixels
-const GROUND_BLUR: f32 = 8.0; // how much coarser the ground may be that rays look for
+const GROUND_DETAIL: f32 = 2.0; // width of the smallest detail looked at, in pixels
+const GROUND_BLUR: f32 = 16.0; // how much coarser the ground may be that rays look for
 const SHADOW_LOOKS: i32 = 2;
 const SHADOW_FINEST: f32 = 300.0; // pixels so wide (m) see no shadows of mountains
 const SHELL_SHADE: f32 = 16.0; // how much coarser the clouds are that throw shadows than those that are seen
@@ -166,6 +166,14 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         let covered = footprint * inverseSqrt(max(-dot(direction, up), 0.02));
         let ground = planet_ground(end, covered);
         steepness = length(ground.slope);
+#if planet.water && quality == low
+        // What was met is coarser than what is seen: where that lies under water, it is the sea that is seen.
+        if far < RAY_FAR && ground.height < water.level && !leafy {
+            near_sea = true;
+            way = far;
+            end = origin + way * direction;
+        }
+#endif
         if land.hit && !near_sea && !leafy {
             // Half a pixel may be higher than all of the air: the rest of the way down.
             way += (planet_altitude(end) - ground.height) / max(-dot(direction, up), 0.25);

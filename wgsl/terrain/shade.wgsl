@@ -8,8 +8,8 @@
 #include <quality.wgsl>
 #include <terrain/height.wgsl>
 #include <terrain/material.wgsl>
-// A plain sum of octaves is marched without missing anything; other reliefs, and all in haste, by steps that tests have shown
-// to be safe.
+// A plain sum of octaves is marched without missing anything, unless in haste; other reliefs by steps that tests have shown to
+// be safe.
 #if quality != low && terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
 #include <march/heightfield_bounded.wgsl> as land with octave = sum_octave, octave_bounds = sum_octave_bounds, ruggedness = sum_ruggedness
 #include <terrain/sum.wgsl>

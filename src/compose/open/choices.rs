@@ -5,7 +5,7 @@
 //! default), a whole number one for each stretch of values that conditions tell apart, named by the largest of them.
 
 use super::formula::{Formula, Full, Values};
-use crate::compose::decide::Known;
+use crate::compose::decide::{Known, compare};
 use crate::preset::{Declarations, Knob, Settings};
 use crate::syntax::{Expr, Operator, OptionKind, OptionValue, Term};
 
@@ -219,17 +219,6 @@ enum Operand<'a> {
     Number(f64),
     Option(usize),
     Name(&'a str),
-}
-
-fn compare(operator: Operator, a: f64, b: f64) -> bool {
-    match operator {
-        Operator::Equal => a == b,
-        Operator::NotEqual => a != b,
-        Operator::Less => a < b,
-        Operator::LessEqual => a <= b,
-        Operator::Greater => a > b,
-        _ => a >= b,
-    }
 }
 
 fn number(value: OptionValue) -> f64 {

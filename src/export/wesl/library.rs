@@ -4,8 +4,8 @@ use std::fmt::Write;
 
 use super::imports::{self, names, with_imports};
 use super::paths::{Paths, relative};
-use super::{MAIN, PARAMETERS, Package, finished, module_path};
-use crate::bake::{Bake, Baked, Facts, apart, bake, clean, read};
+use super::{About, MAIN, PARAMETERS, Package, finished, module_path};
+use crate::bake::{Bake, Baked, apart, bake, clean, read};
 use crate::compose::Choice;
 use crate::compose::open::{Choices, Formula, Open, OpenModule, OpenPiece, open};
 use crate::diagnostic::{Diagnostic, Error};
@@ -68,9 +68,7 @@ pub fn library_package(
     let options = composition.options.iter().enumerate();
     let generic = modules.iter().zip(&at).filter(|(module, _)| !module.slots.is_empty());
     let readme = Readme {
-        facts: Facts::of(composition),
-        root: root.clone(),
-        uniform: baked.interface.uniform.as_ref().map(|uniform| (uniform.group, uniform.binding)),
+        about: About::of(&baked, &root),
         options: options
             .filter(|(index, _)| decides[*index] || is_read[*index])
             .map(|(index, option)| Feature::of(option, index, &choices))
@@ -220,10 +218,7 @@ fn head(slot: &Slot) -> String {
 #[derive(serde::Serialize)]
 struct Readme {
     #[serde(flatten)]
-    facts: Facts,
-    /// `main`, or nothing.
-    root: String,
-    uniform: Option<(u32, u32)>,
+    about: About,
     /// By another name than that of the facts' options.
     #[serde(rename = "features")]
     options: Vec<Feature>,

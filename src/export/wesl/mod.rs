@@ -12,7 +12,7 @@ use std::fmt::Write;
 
 use rustc_hash::FxHashMap;
 
-use crate::bake::{Facts, apart, directive_text};
+use crate::bake::{Baked, Facts, apart, directive_text};
 use crate::compose::Part;
 use crate::diagnostic::Error;
 use crate::shader::Shader;
@@ -82,7 +82,9 @@ pub fn package(shader: &Shader, templates: &Templates) -> Result<Package, Error>
     }
     let root = modules.last().map_or_else(String::new, |module| module.path.join("/"));
     let files = linked(modules, &directives);
-    let readme = template::render(templates, "wesl_readme.jinja", Readme::of(shader, &root))?;
+    let has_parameters = composition.parameters.iter().any(|parameter| parameter.read);
+    let readme = Readme { about: About::of(baked, &root), has_parameters };
+    let readme = template::render(templates, "wesl_readme.jinja", readme)?;
     Ok(finished(files, root, readme))
 }
 
@@ -144,27 +146,32 @@ fn finished(mut files: Vec<(String, String)>, root: String, readme: String) -> P
     Package { files, root }
 }
 
+/// What both READMEs are told.
+#[derive(serde::Serialize)]
+struct About {
+    #[serde(flatten)]
+    facts: Facts,
+    /// `main`, or nothing.
+    root: String,
+    /// Group and binding of the buffer of live parameters, if there is one.
+    uniform: Option<(u32, u32)>,
+}
+
+impl About {
+    fn of(baked: &Baked, root: &str) -> Self {
+        let uniform = baked.interface.uniform.as_ref();
+        Self {
+            facts: Facts::of(&baked.composition),
+            root: root.replace('/', "::"),
+            uniform: uniform.map(|uniform| (uniform.group, uniform.binding)),
+        }
+    }
+}
+
 /// What `wesl_readme.jinja` is told.
 #[derive(serde::Serialize)]
 struct Readme {
     #[serde(flatten)]
-    facts: Facts,
-    /// `main`
-    root: String,
-    /// Whether there is a buffer of live parameters, and where it is bound.
-    uniform: Option<(u32, u32)>,
+    about: About,
     has_parameters: bool,
-}
-
-impl Readme {
-    fn of(shader: &Shader, root: &str) -> Self {
-        let uniform = shader.interface().uniform.as_ref();
-        let composition = &shader.baked().composition;
-        Self {
-            facts: Facts::of(composition),
-            root: root.replace('/', "::"),
-            uniform: uniform.map(|uniform| (uniform.group, uniform.binding)),
-            has_parameters: composition.parameters.iter().any(|parameter| parameter.read),
-        }
-    }
 }
