@@ -75,16 +75,17 @@ fn cargo_path() -> OsString {
 
 /// The `orogen` that `cargo build --release` makes.
 pub(crate) fn orogen(arguments: &[&str]) -> Outcome<Command> {
-    built("release", arguments)
+    built("release", "orogen", arguments)
 }
 
 /// The `orogen` that `cargo build` makes, as the tests have it: slower, and there without another build.
 pub(crate) fn tested_orogen(arguments: &[&str]) -> Outcome<Command> {
-    built("debug", arguments)
+    built("debug", "orogen", arguments)
 }
 
-fn built(profile: &str, arguments: &[&str]) -> Outcome<Command> {
-    let binary = target()?.join(profile).join(format!("orogen{}", std::env::consts::EXE_SUFFIX));
+/// The program that cargo has put into `profile`'s folder as `name`.
+pub(crate) fn built(profile: &str, name: &str, arguments: &[&str]) -> Outcome<Command> {
+    let binary = target()?.join(profile).join(format!("{name}{}", std::env::consts::EXE_SUFFIX));
     Ok(command(binary, arguments))
 }
 

@@ -4,13 +4,17 @@ use std::collections::BTreeSet;
 
 use crate::install::{self, Install};
 use crate::judges;
-use crate::run::{Failure, Outcome, Steps, capture, cargo, run, shown, target};
+use crate::run::{Failure, Outcome, Steps, built, capture, cargo, run, shown, target};
 
 /// What must not be in the tree of a build without default features: a GPU stack, and what only the command line needs.
 const ONLY_BY_FEATURE: [&str; 5] = ["wgpu", "clap", "image", "indicatif", "notify"];
 
 /// How many crates a build without default features may have in all, Orogen itself and what macros are made of included.
 const MOST_CRATES: usize = 25;
+
+/// What is built, in every step the same: features are united over what is chosen, and another choice would build the GPU
+/// stack anew. `peers` brings the contestants of `cargo xtask bench`: nobody else pays for them.
+const ALL: &str = "--workspace --exclude peers";
 
 /// Runs all steps and sums them up, also after a failure.
 pub(crate) fn test(install: Install) -> Outcome {
@@ -26,10 +30,7 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
         install::formatter_and_linter(install)?;
         run(&mut cargo("fmt --all --check"))
     })?;
-    steps.step("lints", || {
-        // `peers` brings the contestants of `cargo xtask bench`, which would be built for nothing else: nobody pays for them here.
-        run(&mut cargo("clippy --workspace --exclude peers --all-targets -- -D warnings"))
-    })?;
+    steps.step("lints", || run(&mut cargo(&format!("clippy {ALL} --all-targets -- -D warnings"))))?;
     steps.step("lints without default features", || {
         run(&mut cargo("clippy -p orogen --no-default-features --lib -- -D warnings"))?;
         run(&mut cargo("clippy -p orogen --no-default-features --features check --lib -- -D warnings"))
@@ -44,30 +45,31 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
     let driver = driver; // and the browser that the feature matrix is drawn with
     steps.step("tests", || {
         if capture(&mut cargo("nextest --version")).is_ok() {
-            return run(cargo("nextest run --workspace --exclude peers --no-fail-fast").envs(driver.clone()));
+            return run(cargo(&format!("nextest run {ALL} --no-fail-fast")).envs(driver.clone()));
         }
         println!("cargo-nextest is not here: running the same tests through `cargo test`");
-        let all = "test --workspace --exclude peers --lib --bins --tests --examples --no-fail-fast";
-        run(cargo(all).envs(driver.clone()))
+        let all = format!("test {ALL} --lib --bins --tests --examples --no-fail-fast");
+        run(cargo(&all).envs(driver.clone()))
     })?;
-    steps.step("tests in the documentation", || run(cargo("test --doc").envs(driver.clone())))?;
+    steps.step("tests in the documentation", || {
+        run(cargo(&format!("test --doc {ALL}")).envs(driver.clone()))
+    })?;
     steps.step("examples", || {
-        run(&mut cargo("build --examples"))?;
-        run(cargo("run --quiet --example standalone").envs(driver.clone()))?;
-        run(cargo("run --quiet --example host_shader").envs(driver.clone()))?;
-        let shot = "run --quiet -p embed -- --size 96x54 --samples 1 --shot target/tmp/embed.png";
-        run(cargo(shot).envs(driver.clone()))
+        run(&mut cargo(&format!("build {ALL} --examples --bins")))?;
+        run(built("debug", "examples/standalone", &[])?.envs(driver.clone()))?;
+        run(built("debug", "examples/host_shader", &[])?.envs(driver.clone()))?;
+        let shot = ["--size", "96x54", "--samples", "1", "--shot", "target/tmp/embed.png"];
+        run(built("debug", "embed", &shot)?.envs(driver.clone()))
     })?;
     steps.step("a newcomer's crate", || {
         let mut newcomer =
             cargo("run --quiet --locked --manifest-path tests/newcomer/Cargo.toml --target-dir");
         run(newcomer.arg(target()?).envs(driver.clone()))
     })?;
-    steps.step("judges", || {
-        run(&mut cargo("build"))?;
-        judges::judge(&[])
-    })?;
-    steps.step("documentation", || run(cargo("doc --no-deps").env("RUSTDOCFLAGS", "-D warnings")))
+    steps.step("judges", || judges::judge(&[]))?;
+    steps.step("documentation", || {
+        run(cargo(&format!("doc {ALL} --lib --no-deps")).env("RUSTDOCFLAGS", "-D warnings"))
+    })
 }
 
 /// Checks that nothing of `ONLY_BY_FEATURE` is in the tree without default features, on any platform, nor with `check`
