@@ -11,6 +11,7 @@
 #include <light/daylight.wgsl>
 #include <light/outdoor.wgsl>
 #include <march/globe.wgsl> as globe with above = planet_above_marched
+#include <march/hit.wgsl>
 #include <noise/interleaved_gradient.wgsl>
 #include <planet/globe.wgsl>
 #include <planet/height.wgsl>
@@ -54,11 +55,12 @@ struct Traced {
 // Steps few enough for software GPUs, which end all loops of eight pixels after 65,535 turns in total: a step takes up to
 // some forty octaves on each of the planes that count.
 #if quality == low
-const GROUND_STEPS: i32 = 12;
-const GROUND_GROWTH: f32 = 0.2;
+const GROUND_STEPS: i32 = 9;
+const GROUND_GROWTH: f32 = 0.3;
 const GROUND_REFINEMENTS: i32 = 1;
 const GROUND_DETAIL: f32 = 2.0; // width of the smallest detail looked at, in pixels
 const GROUND_BLUR: f32 = 16.0; // how much coarser the ground may be that rays look for
+const GROUND_FLAT: f32 = 40.0; // how many times as high as the highest mountains the eye is when these look flat
 const SHADOW_LOOKS: i32 = 2;
 const SHADOW_FINEST: f32 = 300.0; // pixels so wide (m) see no shadows of mountains
 const SHELL_SHADE: f32 = 16.0; // how much coarser the clouds are that throw shadows than those that are seen
@@ -126,7 +128,19 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     let afloat = planet_altitude(origin) >= water.level;
     far = select(RAY_FAR, sea.near, afloat && sea.near > 0.0 && sea.near <= sea.far);
 #endif
+#if quality == low
+    // From where mountains are thinner than a pixel nothing is marched: the ground is met at sea level.
+    var land = MarchHit(far, false, 0, 0);
+    if planet_altitude(origin) > GROUND_FLAT * planet_ceiling() {
+        let level = globe_span(origin, direction, sky.ground_radius, 0.0);
+        land.hit = level.near > 0.0 && level.near <= level.far;
+        land.distance = select(far, level.near, land.hit);
+    } else {
+        land = globe_march(origin, direction, sky.ground_radius, planet_ceiling(), far, steps);
+    }
+#else
     let land = globe_march(origin, direction, sky.ground_radius, planet_ceiling(), far, steps);
+#endif
     var way = select(far, land.distance, land.hit);
     var ends = land.hit;
     var wet = false;

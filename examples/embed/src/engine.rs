@@ -6,6 +6,7 @@ use glam::camera::rh::view::look_to_mat4;
 use glam::{Mat4, Quat, Vec2, Vec3};
 use orogen::render::Gpu;
 use orogen::sample::Sampler;
+use orogen::{Preset, Shader};
 
 use crate::camera::Camera;
 use crate::landscape::Landscape;
@@ -156,9 +157,24 @@ impl Engine {
         }
         self.pipelines = pipelines;
         self.land_group = self.layouts.bind_buffer(&self.device, &self.layouts.land, &landscape.params);
-        (self.ground, self.to_sun) = asked(&self.gpu, &landscape)?;
-        self.azimuth = None;
         self.landscape = landscape;
+        self.settle()
+    }
+
+    /// Draws with a preset's other values from now on, where `shader` is the one that is drawn with already: nothing is
+    /// compiled for them. Whether it is; ground and sun are to be asked for anew then, by [`Engine::settle`].
+    pub fn retune(&mut self, shader: &Shader, preset: &Preset) -> bool {
+        let is_same = self.landscape.shader.wgsl() == shader.wgsl();
+        if is_same {
+            self.landscape.preset = preset.clone();
+        }
+        is_same
+    }
+
+    /// Asks the landscape anew where the ground and the sun are.
+    pub fn settle(&mut self) -> Fallible<()> {
+        (self.ground, self.to_sun) = asked(&self.gpu, &self.landscape)?;
+        self.azimuth = None;
         Ok(())
     }
 

@@ -4,16 +4,18 @@ use orogen::render::{Gpu, Shot, set_frame};
 use orogen::sample::Sampler;
 use orogen::{Bake, Error, Library, Preset, Shader};
 
+type Fallible<T> = Result<T, Box<dyn std::error::Error>>;
+
 /// The engine's shader module, and the uniform buffer of what the land lets be turned while it runs.
 pub struct Landscape {
     pub module: wgpu::ShaderModule,
     pub params: wgpu::Buffer,
-    shader: Shader,
-    preset: Preset,
+    pub shader: Shader,
+    pub preset: Preset,
 }
 
 /// The engine's own folder of shaders, laid over Orogen's.
-pub fn library() -> Result<Library, Box<dyn std::error::Error>> {
+pub fn library() -> Fallible<Library> {
     Ok(Library::standard().with_folder(concat!(env!("CARGO_MANIFEST_DIR"), "/wgsl"))?)
 }
 
@@ -47,12 +49,7 @@ impl Landscape {
     }
 
     /// The land's answers on the engine's own device: where the ground is, which way the sun.
-    pub fn sampler(
-        &self,
-        gpu: &Gpu,
-        what: &str,
-        columns: &[&str],
-    ) -> Result<Sampler, Box<dyn std::error::Error>> {
+    pub fn sampler(&self, gpu: &Gpu, what: &str, columns: &[&str]) -> Fallible<Sampler> {
         Ok(Sampler::new(gpu, &library()?, &self.preset, what, columns)?)
     }
 }

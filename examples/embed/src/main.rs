@@ -5,7 +5,7 @@
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use embed::{shot, world};
+use embed::{landscape, shot, world};
 
 const HELP: &str = "\
 A small engine with meshes of its own, that draws Orogen's landscape among them.
@@ -77,7 +77,7 @@ fn run(arguments: &Arguments) -> Result<(), Box<dyn std::error::Error>> {
     let Some(path) = &arguments.shot else { return window(arguments) };
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let (_, device, queue) = world::device(&instance, None)?;
-    let mut engine = world::engine(device, queue, shot::FORMAT, &arguments.set)?;
+    let mut engine = world::engine(device, queue, shot::FORMAT, &arguments.set, &landscape::bake())?;
     let camera = world::camera(&mut engine)?;
     let frame = shot::frame(&engine, &camera, arguments.size, arguments.samples, world::EXPOSURE)?;
     shot::write(&frame, path)?;

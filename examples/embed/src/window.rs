@@ -6,8 +6,8 @@ use std::collections::HashSet;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use orogen::Error;
 use orogen::watch::{Made, Recipe, Watch};
+use orogen::{Bake, Error};
 use winit::application::ApplicationHandler;
 use winit::event::{ElementState, MouseButton, WindowEvent};
 use winit::event_loop::{ActiveEventLoop, ControlFlow, EventLoop, EventLoopProxy};
@@ -28,6 +28,11 @@ const WALK: f32 = 40.0;
 const TURN: f32 = 0.002;
 const SUN: f32 = 10.0;
 
+/// While the preset is edited, all its numbers are live: saving another value of one compiles nothing.
+fn edited() -> Bake {
+    Bake::live(["*"]).at_binding(1, 0)
+}
+
 /// Opens a window of `size`, and stays until it is closed.
 pub fn run(size: [u32; 2], set: &[String]) -> Fallible<()> {
     let events = EventLoop::<News>::with_user_event().build()?;
@@ -40,7 +45,7 @@ pub fn run(size: [u32; 2], set: &[String]) -> Fallible<()> {
 
 /// Hot reload: whenever a file of the world is saved, its shader is composed again, and sent to the window.
 fn watch(proxy: EventLoopProxy<News>, set: Vec<String>) -> Fallible<()> {
-    let mut recipe = Recipe::new(landscape::library()?, landscape::bake(), move |_, _| world::preset(&set));
+    let mut recipe = Recipe::new(landscape::library()?, edited(), move |_, _| world::preset(&set));
     recipe.files.push(world::PRESET.into());
     let mut watch = Watch::new(recipe)?;
     let _ = watch.next(Duration::ZERO); // what there is by now, the window has by itself
@@ -72,6 +77,8 @@ struct View {
     cursor: [f32; 2],
     is_turning: bool,
     last: Instant,
+    /// When the file was saved of which the next picture is, and whether ground and sun are to be asked for anew after it.
+    saved: Option<(Instant, bool)>,
 }
 
 impl ApplicationHandler<News> for App {
@@ -84,17 +91,19 @@ impl ApplicationHandler<News> for App {
 
     fn user_event(&mut self, _: &ActiveEventLoop, news: News) {
         let Some(view) = &mut self.view else { return };
-        let start = Instant::now();
         let outcome = news.map_err(Into::into).and_then(|made| {
-            let (took, made) = (made.took, *made);
-            let landscape = Landscape::new(&view.engine.device, made.shader, made.preset);
-            view.engine.set_landscape(landscape)?;
-            world::stand(&mut view.engine)?;
-            Ok(took)
+            let saved = Instant::now().checked_sub(made.took).unwrap_or_else(Instant::now);
+            let is_tuned = view.engine.retune(&made.shader, &made.preset);
+            if !is_tuned {
+                let landscape = Landscape::new(&view.engine.device, made.shader, made.preset);
+                view.engine.set_landscape(landscape)?;
+                world::stand(&mut view.engine)?;
+            }
+            view.saved = Some((saved, is_tuned));
+            Ok(())
         });
-        match outcome {
-            Ok(took) => eprintln!("composed in {took:?}, compiled in {:?}", start.elapsed()),
-            Err::<_, Box<dyn std::error::Error>>(why) => eprintln!("{why}\nthe picture stays as it was"),
+        if let Err::<_, Box<dyn std::error::Error>>(why) = outcome {
+            eprintln!("{why}\nthe picture stays as it was");
         }
         view.window.request_redraw();
     }
@@ -165,7 +174,7 @@ impl View {
             .ok_or("the adapter cannot draw onto this window")?;
         settings.format = format;
         surface.configure(&device, &settings);
-        let mut engine = world::engine(device, queue, format, set)?;
+        let mut engine = world::engine(device, queue, format, set, &edited())?;
         let camera = world::camera(&mut engine)?;
         let targets = engine.targets([settings.width, settings.height], 1, world::EXPOSURE);
         let (keys, last) = (HashSet::new(), Instant::now());
@@ -180,6 +189,7 @@ impl View {
             cursor: [0.0; 2],
             is_turning: false,
             last,
+            saved: None,
         })
     }
 
@@ -209,6 +219,16 @@ impl View {
             }
             Current::Timeout | Current::Occluded => {}
             Current::Validation => return Err("the window cannot be drawn onto".into()),
+        }
+        if let Some((saved, is_tuned)) = self.saved.take() {
+            self.engine.device.poll(wgpu::PollType::wait_indefinitely())?;
+            eprintln!("drawn {:?} after the save", saved.elapsed());
+            if is_tuned {
+                // The picture came first; now things go where the ground is by now.
+                self.engine.settle()?;
+                world::stand(&mut self.engine)?;
+                self.window.request_redraw();
+            }
         }
         if !self.keys.is_empty() {
             self.window.request_redraw();

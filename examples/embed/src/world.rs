@@ -1,7 +1,7 @@
 //! The world that is shown: a device, the landscape of `valley.json`, two towers, and where they are seen from.
 
 use glam::Vec3;
-use orogen::Preset;
+use orogen::{Bake, Preset};
 
 use crate::camera::Camera;
 use crate::engine::Engine;
@@ -36,15 +36,16 @@ pub fn preset(set: &[String]) -> Result<Preset, orogen::Error> {
     Ok(preset)
 }
 
-/// The engine with its world, for a display of this format.
+/// The engine with its world baked in as `bake` says, for a display of this format.
 pub fn engine(
     device: wgpu::Device,
     queue: wgpu::Queue,
     display: wgpu::TextureFormat,
     set: &[String],
+    bake: &Bake,
 ) -> Fallible<Engine> {
     let preset = preset(set)?;
-    let shader = orogen::compose(&landscape::library()?, &preset, &landscape::bake())?;
+    let shader = orogen::compose(&landscape::library()?, &preset, bake)?;
     let landscape = Landscape::new(&device, shader, preset);
     let mut engine = Engine::new(device, queue, landscape, display)?;
     stand(&mut engine)?;

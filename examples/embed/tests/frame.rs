@@ -21,7 +21,7 @@ fn engine() -> Engine {
     let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
     let (_, device, queue) =
         world::device(&instance, None).expect("the tests run on lavapipe: `cargo xtask test`");
-    world::engine(device, queue, shot::FORMAT, &SET.map(str::to_owned)).unwrap()
+    world::engine(device, queue, shot::FORMAT, &SET.map(str::to_owned), &landscape::bake()).unwrap()
 }
 
 fn draw(engine: &Engine, camera: &Camera) -> Frame {
@@ -208,6 +208,30 @@ fn a_shader_that_does_not_fit_leaves_the_picture_as_it_was() {
     let darker = with("vec4f(seen.radiance, 1.0)", "vec4f(0.5 * seen.radiance, 1.0)", &engine);
     engine.set_landscape(darker).unwrap();
     assert!(draw(&engine, &camera).display != before);
+}
+
+#[test]
+fn another_value_of_a_live_parameter_is_drawn_by_the_shader_that_is_there() {
+    let mut engine = engine();
+    let camera = world::camera(&mut engine).unwrap();
+    let before = draw(&engine, &camera).display;
+    let made = |set: &str| {
+        let preset = world::preset(
+            &[&SET[..], &[set]].concat().iter().map(|set| (*set).to_owned()).collect::<Vec<_>>(),
+        )
+        .unwrap();
+        let library = landscape::library().unwrap();
+        (orogen::compose(&library, &preset, &landscape::bake()).unwrap(), preset)
+    };
+    let (shader, preset) = made("terrain.peak_height=1500"); // baked in
+    assert!(!engine.retune(&shader, &preset));
+    assert!(draw(&engine, &camera).display == before);
+    let (shader, preset) = made("sun.azimuth=80");
+    assert!(engine.retune(&shader, &preset));
+    assert!(draw(&engine, &camera).display != before);
+    let sun = engine.to_sun();
+    engine.settle().unwrap();
+    assert!(engine.to_sun().dot(sun) < 0.99, "the sun is elsewhere");
 }
 
 #[test]
