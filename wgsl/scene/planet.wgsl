@@ -55,12 +55,13 @@ struct Traced {
 // Steps few enough for software GPUs, which end all loops of eight pixels after 65,535 turns in total: a step takes up to
 // some forty octaves on each of the planes that count.
 #if quality == low
-const GROUND_STEPS: i32 = 9;
-const GROUND_GROWTH: f32 = 0.3;
+const GROUND_STEPS: i32 = 7;
+const GROUND_GROWTH: f32 = 0.5;
 const GROUND_REFINEMENTS: i32 = 1;
 const GROUND_DETAIL: f32 = 2.0; // width of the smallest detail looked at, in pixels
 const GROUND_BLUR: f32 = 16.0; // how much coarser the ground may be that rays look for
 const GROUND_FLAT: f32 = 40.0; // how many times as high as the highest mountains the eye is when these look flat
+const GROUND_UNDER: f32 = 0.1; // width of the smallest detail beneath the camera that lifts it, by its height
 const SHADOW_LOOKS: i32 = 2;
 const SHADOW_FINEST: f32 = 300.0; // pixels so wide (m) see no shadows of mountains
 const SHELL_SHADE: f32 = 16.0; // how much coarser the clouds are that throw shadows than those that are seen
@@ -72,6 +73,7 @@ const GROUND_GROWTH: f32 = 0.04;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
 const GROUND_BLUR: f32 = 1.0;
+const GROUND_UNDER: f32 = 0.02;
 const SHADOW_LOOKS: i32 = 9;
 const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
@@ -83,6 +85,7 @@ const GROUND_GROWTH: f32 = 0.025;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
 const GROUND_BLUR: f32 = 1.0;
+const GROUND_UNDER: f32 = 0.02;
 const SHADOW_LOOKS: i32 = 12;
 const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
@@ -94,6 +97,7 @@ const GROUND_GROWTH: f32 = 0.015;
 const GROUND_REFINEMENTS: i32 = 8;
 const GROUND_DETAIL: f32 = 1.0;
 const GROUND_BLUR: f32 = 1.0;
+const GROUND_UNDER: f32 = 0.02;
 const SHADOW_LOOKS: i32 = 16;
 const SHADOW_FINEST: f32 = RAY_FAR;
 const SHELL_SHADE: f32 = 1.0;
@@ -130,8 +134,9 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #endif
 #if quality == low
     // From where mountains are thinner than a pixel nothing is marched: the ground is met at sea level.
+    let from_afar = planet_altitude(origin) > GROUND_FLAT * planet_ceiling();
     var land = MarchHit(far, false, 0, 0);
-    if planet_altitude(origin) > GROUND_FLAT * planet_ceiling() {
+    if from_afar {
         let level = globe_span(origin, direction, sky.ground_radius, 0.0);
         land.hit = level.near > 0.0 && level.near <= level.far;
         land.distance = select(far, level.near, land.hit);
@@ -230,6 +235,12 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         if (i == 2 && !ends) || (i < 2 && !meets) || (i == 1 && (thick.x <= 0.0 || !SHELL_RELIEF)) {
             continue;
         }
+#if quality == low
+        if i == 2 && from_afar && meets {
+            thick.z = thick.x; // their shadow lies beneath them, a pixel or two aside
+            continue;
+        }
+#endif
         let slant = max(abs(dot(direction, planet_up(start_at))), 0.02);
         let seen = pixel * select(cloud_way, way, i == 2) * inverseSqrt(slant) / sky.ground_radius;
         thick[i] = shell_at(axes * planet_up(start_at + ahead * to_key), select(SHELL_SHADE, 1.0, i == 0) * seen);
@@ -259,6 +270,8 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     var blur = 0.0; // of what it mirrors
     var cloud_radiance = vec3f(0.0);
     var cloud_opacity = 0.0;
+    var day: Daylight;
+    var knows_day = false;
     for (var i = 0; i <= PLANET_MIRRORED; i++) {
         var start_at = origin;
         var toward = direction;
@@ -285,7 +298,11 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             toward = mirrored;
             distance = RAY_FAR;
         }
-        let day = weather_daylight(place);
+        // What the sea mirrors starts where the ground ends.
+        if i != PLANET_MIRRORED && !(i == PLANET_GROUND && knows_day && !SHELL_RELIEF) {
+            day = weather_daylight(place);
+            knows_day = true;
+        }
         if i == PLANET_MIRRORED && planet_altitude(origin) > SEA_MIRRORS {
             radiance += passed * day.sky / 3.14159265;
             break;
@@ -418,7 +435,8 @@ fn main_image(frag_coord: vec2f) -> vec4f {
     // small.
     var under = 0.0;
     if camera.above_ground || camera.position.y < planet_ceiling() + camera.clearance {
-        under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), max(0.02 * camera.position.y, 0.0)).height;
+        let finest = max(GROUND_UNDER * camera.position.y, 0.0);
+        under = planet_ground(vec3f(camera.position.x, 0.0, camera.position.z), finest).height;
     }
     let ray = camera_ray(frag_coord, under);
     let jitter = interleaved_gradient_noise(frag_coord, frame.index);

@@ -45,7 +45,9 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
     let driver = driver; // and the browser that the feature matrix is drawn with
     steps.step("tests", || {
         if capture(&mut cargo("nextest --version")).is_ok() {
-            return run(cargo(&format!("nextest run {ALL} --no-fail-fast")).envs(driver.clone()));
+            return run(
+                cargo(&format!("nextest run {ALL} --profile all --no-fail-fast")).envs(driver.clone())
+            );
         }
         println!("cargo-nextest is not here: running the same tests through `cargo test`");
         let all = format!("test {ALL} --lib --bins --tests --examples --no-fail-fast");
