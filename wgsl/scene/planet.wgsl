@@ -55,8 +55,8 @@ struct Traced {
 // Steps few enough for software GPUs, which end all loops of eight pixels after 65,535 turns in total: a step takes up to
 // some forty octaves on each of the planes that count.
 #if quality == low
-const GROUND_STEPS: i32 = 7;
-const GROUND_GROWTH: f32 = 0.5;
+const GROUND_STEPS: i32 = 8;
+const GROUND_GROWTH: f32 = 0.4;
 const GROUND_REFINEMENTS: i32 = 1;
 const GROUND_DETAIL: f32 = 2.0; // width of the smallest detail looked at, in pixels
 const GROUND_BLUR: f32 = 16.0; // how much coarser the ground may be that rays look for
