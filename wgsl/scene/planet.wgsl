@@ -271,7 +271,7 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     var cloud_radiance = vec3f(0.0);
     var cloud_opacity = 0.0;
     var day: Daylight;
-    var knows_day = false;
+    var day_holds = false; // for the next of them, too
     for (var i = 0; i <= PLANET_MIRRORED; i++) {
         var start_at = origin;
         var toward = direction;
@@ -298,11 +298,13 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             toward = mirrored;
             distance = RAY_FAR;
         }
-        // What the sea mirrors starts where the ground ends.
-        if i != PLANET_MIRRORED && !(i == PLANET_GROUND && knows_day && !SHELL_RELIEF) {
+        if !day_holds {
             day = weather_daylight(place);
-            knows_day = true;
         }
+        day_holds = i == PLANET_GROUND; // what the sea mirrors starts where the ground ends
+#if planet.clouds
+        day_holds = day_holds || (!SHELL_RELIEF && !inside); // from above, the ground is beneath its clouds
+#endif
         if i == PLANET_MIRRORED && planet_altitude(origin) > SEA_MIRRORS {
             radiance += passed * day.sky / 3.14159265;
             break;
