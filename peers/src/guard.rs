@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 
 use crate::Outcome;
 use crate::child::{self, End};
-use crate::composing::{Entrant, Work, number, output};
+use crate::contest::{Entrant, Work, number, output};
 use crate::faults;
 use crate::graph::{Plan, Shape};
 use crate::time::interleaved;

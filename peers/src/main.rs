@@ -1,31 +1,25 @@
 //! Orogen beside what a user would pick instead, in one run: `cargo xtask bench`.
 //!
-//! Each part of the suite writes its section of `docs/benchmarks.md`.
+//! What the guard needs stands here and builds without a GPU stack; `suite/` has the rest, behind the feature of that name.
 
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a bench prints its tables")]
+#![cfg_attr(
+    not(feature = "suite"),
+    allow(dead_code, reason = "the guard asks for a part of what can be measured")
+)]
 
-mod baking;
 mod child;
-mod composing;
-mod elements;
+mod contest;
 mod faults;
-mod gate;
-mod gpu;
 mod graph;
-mod growth;
 mod guard;
-mod machine;
-mod noise;
-mod packages;
 mod page;
-mod plot;
+#[cfg(feature = "suite")]
+mod suite;
 mod time;
 mod tool;
 
 use std::path::Path;
-
-use gpu::Lab;
-use page::Section;
 
 /// A result, or what went wrong in words: a bench stops at the first fault and says it.
 pub(crate) type Outcome<T = ()> = Result<T, Box<dyn std::error::Error>>;
@@ -39,23 +33,6 @@ Without anything, measures all parts and writes docs/benchmarks.md; with parts, 
   --accept   with --quick: writes that file
 ";
 
-/// A part of the suite.
-struct Part {
-    name: &'static str,
-    title: &'static str,
-    measure: fn(&Lab) -> Outcome<Section>,
-}
-
-/// All parts, in the order of the page.
-const PARTS: [Part; 6] = [
-    Part { name: "composing", title: composing::TITLE, measure: composing::measure },
-    Part { name: "faults", title: faults::TITLE, measure: |_| faults::measure() },
-    Part { name: "noise", title: noise::TITLE, measure: noise::measure },
-    Part { name: "baking", title: baking::TITLE, measure: baking::measure },
-    Part { name: "elements", title: elements::TITLE, measure: elements::measure },
-    Part { name: "growth", title: growth::TITLE, measure: growth::measure },
-];
-
 fn main() -> Outcome {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     if let [first, rest @ ..] = arguments.as_slice()
@@ -64,47 +41,24 @@ fn main() -> Outcome {
         return child::be(rest);
     }
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).parent().ok_or("peers has no folder above it")?;
-    let has = |flag: &str| arguments.iter().any(|argument| argument == flag);
-    let names: Vec<&str> =
-        arguments.iter().map(String::as_str).filter(|name| !name.starts_with('-')).collect();
-    let is_known = |name: &&&str| PARTS.iter().any(|part| part.name == **name);
-    let wrong = arguments
-        .iter()
-        .find(|argument| argument.starts_with('-') && *argument != "--quick" && *argument != "--accept");
-    if let Some(wrong) =
-        wrong.map(String::as_str).or_else(|| names.iter().find(|name| !is_known(name)).copied())
-    {
-        let parts: Vec<&str> = PARTS.iter().map(|part| part.name).collect();
-        return Err(format!("there is no `{wrong}`; parts are {}\n\n{HELP}", parts.join(", ")).into());
+    let (flags, names): (Vec<&str>, Vec<&str>) =
+        arguments.iter().map(String::as_str).partition(|argument| argument.starts_with('-'));
+    if let Some(unknown) = flags.iter().find(|flag| !["--quick", "--accept"].contains(flag)) {
+        return Err(format!("there is no `{unknown}`\n\n{HELP}").into());
     }
-    if has("--quick") {
-        return guard::guard(&root.join("peers/baseline.json"), has("--accept"));
+    match (flags.contains(&"--quick"), flags.contains(&"--accept")) {
+        (true, accept) if names.is_empty() => guard::guard(&root.join("peers/baseline.json"), accept),
+        (false, false) => parts(root, &names),
+        _ => Err(format!("`--accept` goes with `--quick`, and parts with neither\n\n{HELP}").into()),
     }
-    let lab = Lab::open()?;
-    let machine = machine::line(&lab)?;
-    let mut sections = Vec::new();
-    for part in PARTS.iter().filter(|part| names.is_empty() || names.contains(&part.name)) {
-        eprintln!("── {}", part.name);
-        let mut section = (part.measure)(&lab)?;
-        section.text = format!("{machine}\n\n{}", section.text);
-        println!("\n## {}\n\n{}", section.title, section.text);
-        sections.push(section);
-    }
-    let page = root.join("docs/benchmarks.md");
-    page::write(&page, &head(), &PARTS.map(|part| part.title), sections)?;
-    println!("docs/benchmarks.md is written");
-    Ok(())
 }
 
-fn head() -> String {
-    "# Benchmarks
+#[cfg(feature = "suite")]
+fn parts(root: &Path, names: &[&str]) -> Outcome {
+    suite::run(root, names)
+}
 
-Orogen beside what one would pick instead, each part measured in one run. `cargo xtask bench` runs everything and writes this page,
-`cargo xtask bench PART…` some of its sections anew.
-
-The contestants of a row take turns, run by run, so that a busy machine slows all of them. Times are medians of CPU time of the
-process in milliseconds, with quartiles in brackets and wall time beside them. Take ratios from here, not milliseconds: machines
-differ. Every contestant is the newest version that builds with this project's Rust.
-"
-    .to_owned()
+#[cfg(not(feature = "suite"))]
+fn parts(_: &Path, _: &[&str]) -> Outcome {
+    Err("built without the feature `suite`, which all but `--quick` needs".into())
 }

@@ -26,10 +26,10 @@ struct Steps {
 /// First crossing of the ground along a ray, no farther than `far` (m), on the globe of `radius` (m) whose ground is nowhere
 /// higher than `ceiling` (m) above it.
 ///
-/// Marches from where the ray comes below the ceiling. `start_above`, the height of `origin` above the ground, spares a ray
-/// that starts below the ceiling its first look; a ray that starts below the ground ends at once. Running out of steps counts
-/// as meeting the ground. A crest that lies between two steps is missed: tested, not proven. The crossing is sought by regula
-/// falsi (Illinois), which has nearly a digit a try where the ground is even.
+/// Marches from where the ray comes below the ceiling; a ray that starts below the ground ends at once. A ray that runs out of
+/// steps meets the ground where it would if that went on at the height it has there. A crest that lies between two steps is
+/// missed: tested, not proven. The crossing is sought by regula falsi (Illinois), which has nearly a digit a try where the
+/// ground is even.
 fn march(origin: vec3f, direction: vec3f, radius: f32, ceiling: f32, far: f32, how: Steps) -> MarchHit {
     let within = globe_span(origin, direction, radius, ceiling);
     if within.far <= 0.0 || within.near > within.far {
@@ -74,7 +74,10 @@ fn march(origin: vec3f, direction: vec3f, radius: f32, ceiling: f32, far: f32, h
             above_low = height;
             t += how.shortest + how.growth * t + how.relax * height;
             if steps + 1 >= how.max_steps {
-                return MarchHit(low, true, steps + 1, steps + 1);
+                let last = origin + low * direction;
+                let ahead = globe_span(last, direction, radius, globe_height(last, radius) - height);
+                let hit = ahead.near <= ahead.far && ahead.far > 0.0;
+                return MarchHit(select(far, low + max(ahead.near, 0.0), hit), hit, steps + 1, steps + 1);
             }
             if t > end && low < end && end < within.far {
                 t = end; // the last look, where the ray is to end

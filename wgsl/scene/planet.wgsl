@@ -55,14 +55,15 @@ struct Traced {
 // Steps few enough for software GPUs, which end all loops of eight pixels after 65,535 turns in total: a step takes up to
 // some forty octaves on each of the planes that count.
 #if quality == low
-const GROUND_STEPS: i32 = 8;
+const GROUND_STEPS: i32 = 6;
 const GROUND_GROWTH: f32 = 0.4;
 const GROUND_REFINEMENTS: i32 = 1;
 const GROUND_DETAIL: f32 = 2.0; // width of the smallest detail looked at, in pixels
 const GROUND_BLUR: f32 = 16.0; // how much coarser the ground may be that rays look for
+const GROUND_STEEP: f32 = 0.8; // slope that steps are made for
 const GROUND_FLAT: f32 = 40.0; // how many times as high as the highest mountains the eye is when these look flat
 const GROUND_UNDER: f32 = 0.1; // width of the smallest detail beneath the camera that lifts it, by its height
-const SHADOW_LOOKS: i32 = 2;
+const SHADOW_LOOKS: i32 = 1;
 const SHADOW_FINEST: f32 = 300.0; // pixels so wide (m) see no shadows of mountains
 const SHELL_SHADE: f32 = 16.0; // how much coarser the clouds are that throw shadows than those that are seen
 const SHELL_RELIEF: bool = false; // whether heaps of cloud shade each other, and the air up to them is looked at
@@ -125,7 +126,12 @@ fn scene_trace(origin: vec3f, direction: vec3f) -> Traced {
 /// pixel turns bands into fine noise.
 fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
     let pixel = GROUND_DETAIL * camera_pixel_angle();
-    let steps = globe_Steps(0.2, GROUND_GROWTH, GROUND_RELAX, GROUND_STEPS, GROUND_REFINEMENTS, pixel);
+    var relax = GROUND_RELAX;
+#if quality == low
+    // As far as ground that rises by `GROUND_STEEP` needs to reach up to the ray.
+    relax = 1.0 / max(GROUND_STEEP - dot(direction, planet_up(origin)), 0.25);
+#endif
+    let steps = globe_Steps(0.2, GROUND_GROWTH, relax, GROUND_STEPS, GROUND_REFINEMENTS, pixel);
     var far = RAY_FAR;
 #if planet.water
     let sea = globe_span(origin, direction, sky.ground_radius, water.level);

@@ -71,7 +71,7 @@ const WIDE_LACUNARITY: f32 = 2.0;
 
 // Generations of gullies.
 #if quality == low
-const GULLIES: f32 = 3.0;
+const GULLIES: f32 = 2.0;
 #else
 const GULLIES: f32 = 5.0;
 #endif

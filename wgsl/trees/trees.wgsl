@@ -32,6 +32,7 @@ const TREE_STRIDE: f32 = 0.9; // part of the crown's field that a step covers
 const TREE_CLIMB: f32 = 0.6; // steepest ground that trees are looked for behind
 const TREE_STEEPENING: f32 = 0.35; // by how much it may be steeper than here
 const TREE_PROBES: i32 = 24; // cells from one look at the ground to the next
+const TREE_GLADE: f32 = 0.7; // how wide, in patches, a clearing of depth -1 is taken to be; 0 where every cell is looked at
 const TREE_SHADOW_STEPS: i32 = 16;
 const TREE_SHADES: i32 = 2; // crowns looked through to the sun
 const TREE_LOOKS: i32 = 1; // looks at each
@@ -45,6 +46,7 @@ const TREE_STRIDE: f32 = 0.65;
 const TREE_CLIMB: f32 = 0.8;
 const TREE_STEEPENING: f32 = 9.0;
 const TREE_PROBES: i32 = 12;
+const TREE_GLADE: f32 = 0.0;
 const TREE_SHADOW_STEPS: i32 = 120;
 const TREE_SHADES: i32 = 16;
 const TREE_LOOKS: i32 = 3;
@@ -58,6 +60,7 @@ const TREE_STRIDE: f32 = 0.5;
 const TREE_CLIMB: f32 = 1.0;
 const TREE_STEEPENING: f32 = 9.0;
 const TREE_PROBES: i32 = 12;
+const TREE_GLADE: f32 = 0.0;
 const TREE_SHADOW_STEPS: i32 = 160;
 const TREE_SHADES: i32 = 24;
 const TREE_LOOKS: i32 = 4;
@@ -71,6 +74,7 @@ const TREE_STRIDE: f32 = 0.35;
 const TREE_CLIMB: f32 = 1.5;
 const TREE_STEEPENING: f32 = 9.0;
 const TREE_PROBES: i32 = 12;
+const TREE_GLADE: f32 = 0.0;
 const TREE_SHADOW_STEPS: i32 = 300;
 const TREE_SHADES: i32 = 40;
 const TREE_LOOKS: i32 = 8;
@@ -184,8 +188,8 @@ struct TreeMet {
 /// Walks on to the next tree.
 ///
 /// Cells whose tree the ray passes at more than a crown's width cost a hash; the woods are asked next, and only then
-/// the ground. Where the ray is high above the trees it skips rows. `patience`: cells looked at most in all; `thinning`:
-/// distance (m) from which on trees begin to be left out.
+/// the ground. Where the ray is high above the trees, or in a wide clearing, it skips rows. `patience`: cells looked at
+/// most in all; `thinning`: distance (m) from which on trees begin to be left out.
 fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> TreeMet {
     var met: TreeMet;
     let origin = (*walk).origin;
@@ -239,61 +243,69 @@ fn trees_next(walk: ptr<function, TreeWalk>, patience: i32, thinning: f32) -> Tr
             break;
         }
         var depth = 0.0;
-        if candidate {
+        var ahead = (*walk).near; // where the next tree may be met (m)
+        var above = false; // whether that is for the ray's height
+        if candidate || TREE_GLADE > 0.0 {
+            let stale = (*walk).unprobed > TREE_PROBES;
             depth = woods_depth(tree.foot.xz);
-            candidate = tree.chance < woods_density(depth);
-            probe = !candidate && (*walk).unprobed > TREE_PROBES;
+            let glade = -depth * TREE_GLADE * trees.patch;
+            if glade > trees.spacing {
+                ahead = nearest + glade / level;
+            }
+            candidate = candidate && tree.chance < woods_density(depth);
+            probe = !candidate && stale;
         }
-        if !candidate && !probe {
-            continue;
-        }
-        if candidate {
-            tree = tree_grow(tree, depth);
-            candidate = offset < tree.radius;
-        }
-        let half_chord = sqrt(max(tree.radius * tree.radius - offset * offset, 0.0)) / level;
-        let enters = max(nearest - half_chord, (*walk).near);
-        let leaves = min(nearest + half_chord, (*walk).far);
-        let y_enters = origin.y + enters * direction.y;
-        let y_leaves = origin.y + leaves * direction.y;
-        let low = min(y_enters, y_leaves);
-        let high = max(y_enters, y_leaves);
-        (*walk).unprobed = 0;
+        if candidate || probe {
+            if candidate {
+                tree = tree_grow(tree, depth);
+                candidate = offset < tree.radius;
+            }
+            let half_chord = sqrt(max(tree.radius * tree.radius - offset * offset, 0.0)) / level;
+            let enters = max(nearest - half_chord, (*walk).near);
+            let leaves = min(nearest + half_chord, (*walk).far);
+            let y_enters = origin.y + enters * direction.y;
+            let y_leaves = origin.y + leaves * direction.y;
+            let low = min(y_enters, y_leaves);
+            let high = max(y_enters, y_leaves);
+            (*walk).unprobed = 0;
 
-        let land = terrain_height_grad_filtered(tree.foot.xz, trees.spacing);
-        (*walk).looked = tree.foot.xz;
-        (*walk).land = land;
-        if candidate && low <= land.x + tree.height && high >= land.x - TREE_ROOT {
-            tree.foot.y = land.x;
-            let normal = normalize(vec3f(-land.y, 1.0, -land.z));
-            if tree.chance < woods_density(depth) * woods_limits(land.x, normal.y, depth) {
-                (*walk).ground = normal;
-                met.tree = tree;
-                met.enters = enters;
-                met.leaves = leaves;
-                met.found = true;
-                break;
+            let land = terrain_height_grad_filtered(tree.foot.xz, trees.spacing);
+            (*walk).looked = tree.foot.xz;
+            (*walk).land = land;
+            if candidate && low <= land.x + tree.height && high >= land.x - TREE_ROOT {
+                tree.foot.y = land.x;
+                let normal = normalize(vec3f(-land.y, 1.0, -land.z));
+                if tree.chance < woods_density(depth) * woods_limits(land.x, normal.y, depth) {
+                    (*walk).ground = normal;
+                    met.tree = tree;
+                    met.enters = enters;
+                    met.leaves = leaves;
+                    met.found = true;
+                    break;
+                }
+            }
+            let clear = low - land.x - trees.tallest;
+            if clear > trees.spacing {
+                // High above the trees: as far on as the ground would need to rise to here.
+                let rise = dot(land.yz, direction.xz) / level;
+                let closing = min(TREE_CLIMB, max(rise, 0.0) + TREE_STEEPENING) + descent;
+                if closing <= 0.0 {
+                    break;
+                }
+                above = true;
+                ahead = max(ahead, nearest + clear / (closing * level));
             }
         }
-        let clear = low - land.x - trees.tallest;
-        if clear > trees.spacing {
-            // High above the trees: as far on as the ground would need to rise to here.
-            let rise = dot(land.yz, direction.xz) / level;
-            let closing = min(TREE_CLIMB, max(rise, 0.0) + TREE_STEEPENING) + descent;
-            if closing <= 0.0 {
-                break;
-            }
-            let ahead = nearest + clear / (closing * level);
-            if ahead >= (*walk).far {
-                break;
-            }
-            let row = trees_row_at(*walk, ahead) - (*walk).step;
-            if (row - (*walk).row) * (*walk).step > 0 {
-                (*walk).row = row - (*walk).step;
-                (*walk).lane = 1;
-                (*walk).last_lane = 0;
-                (*walk).unprobed = 1000;
-            }
+        if ahead >= (*walk).far {
+            break;
+        }
+        let row = trees_row_at(*walk, ahead) - (*walk).step;
+        let rows = (row - (*walk).row) * (*walk).step;
+        if rows > 0 {
+            (*walk).row = row - (*walk).step;
+            (*walk).lane = 1;
+            (*walk).last_lane = 0;
+            (*walk).unprobed = select((*walk).unprobed + rows, 1000, above);
         }
     }
     return met;

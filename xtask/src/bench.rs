@@ -14,14 +14,18 @@ pub(crate) enum What {
 
 /// Builds the suite and runs it.
 pub(crate) fn bench(install: Install, what: &What) -> Outcome {
-    install::driver(install)?;
-    let mut suite = cargo("run --release -p peers --");
     match what {
-        What::Parts(parts) => suite.args(parts),
-        What::Quick { accept: false } => suite.arg("--quick"),
-        What::Quick { accept: true } => suite.args(["--quick", "--accept"]),
-    };
-    suite.envs(install::driver_for_tests());
-    suite.env("MESA_SHADER_CACHE_DISABLE", "true"); // compiling is measured, too
-    run(&mut suite)
+        What::Quick { accept } => {
+            let mut guard = cargo("run --release -p peers --no-default-features -- --quick");
+            guard.args(accept.then_some("--accept"));
+            run(&mut guard)
+        }
+        What::Parts(parts) => {
+            install::driver(install)?;
+            let mut suite = cargo("run --release -p peers --");
+            suite.args(parts).envs(install::driver_for_tests());
+            suite.env("MESA_SHADER_CACHE_DISABLE", "true"); // compiling is measured, too
+            run(&mut suite)
+        }
+    }
 }

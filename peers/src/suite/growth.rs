@@ -4,10 +4,10 @@ use std::time::Duration;
 
 use orogen::{Bake, Library, Preset, compose};
 
+use super::gpu::{Lab, Painting};
 use crate::Outcome;
 use crate::child::{self, End};
-use crate::composing::{Entrant, Work, number};
-use crate::gpu::{Lab, Painting};
+use crate::contest::{Entrant, Work, number};
 use crate::graph::{Dialect, Plan, Shape};
 use crate::page::{Section, table};
 use crate::time::{interleaved, quartiles};

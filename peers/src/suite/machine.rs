@@ -3,8 +3,8 @@
 use std::process::Command;
 use std::time::{SystemTime, UNIX_EPOCH};
 
+use super::gpu::Lab;
 use crate::Outcome;
-use crate::gpu::Lab;
 
 /// The crates whose versions matter.
 const CRATES: [&str; 6] = ["naga", "wgpu", "naga_oil", "wesl", "wgsl-minifier", "orogen"];
@@ -17,7 +17,7 @@ pub(crate) fn line(lab: &Lab) -> Outcome<String> {
         .find_map(|line| line.strip_prefix("model name")?.split_once(':'))
         .map(|(_, name)| name.trim());
     let threads = std::thread::available_parallelism()?;
-    let lock = include_str!("../../Cargo.lock");
+    let lock = include_str!("../../../Cargo.lock");
     let versions = CRATES.map(|name| format!("{name} {}", version(lock, name)));
     let rustc = Command::new("rustc")
         .arg("--version")

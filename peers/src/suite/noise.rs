@@ -7,10 +7,10 @@ use fastnoise_lite::{CellularDistanceFunction, CellularReturnType, FastNoiseLite
 use noise::NoiseFn;
 use orogen::{Bake, Library, Preset, compose};
 
+use super::gpu::{Lab, Program};
+use super::packages;
 use crate::Outcome;
-use crate::composing::number;
-use crate::gpu::{Lab, Program};
-use crate::packages;
+use crate::contest::number;
 use crate::page::{Section, table};
 use crate::time::{quartiles, timed};
 

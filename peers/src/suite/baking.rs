@@ -3,9 +3,9 @@
 
 use orogen::{Bake, Library, Preset, compose};
 
+use super::gpu::{Lab, Painting};
 use crate::Outcome;
-use crate::composing::number;
-use crate::gpu::{Lab, Painting};
+use crate::contest::number;
 use crate::page::{Section, table};
 use crate::time::quartiles;
 

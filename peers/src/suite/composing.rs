@@ -1,22 +1,20 @@
 //! Part 1: composing, beside `naga_oil` and `wesl`. The same graphs in every dialect, from sources in memory to a module that
 //! naga has validated.
 
-use std::io::Write as _;
 use std::time::Duration;
 
-use flate2::Compression;
-use flate2::write::GzEncoder;
 use orogen::export::minify;
 use orogen::{Bake, Library, Preset, Templates, compose};
 
+use super::gate;
+use super::gpu::Lab;
 use crate::Outcome;
 use crate::child::{self, End};
-use crate::gate;
-use crate::gpu::Lab;
-use crate::graph::{Graph, Plan, Settings, Shape};
+use crate::contest::{Entrant, Work, gzipped, number, output};
+use crate::graph::{Plan, Shape};
 use crate::page::{Section, table};
-use crate::time::{Quartiles, Runs, Turn, interleaved, timed};
-use crate::tool::{Session, Tool};
+use crate::time::{Quartiles, Runs, interleaved};
+use crate::tool::Tool;
 
 pub(crate) const TITLE: &str = "Composing";
 
@@ -29,105 +27,8 @@ const JUDGED: [(usize, usize); 2] = [(100, 20), (400, 20)];
 const MOST: Duration = Duration::from_secs(60);
 const ROUNDS: usize = 15;
 const BUDGET: Duration = Duration::from_secs(12);
-const PRESETS: usize = 64;
 /// The one shader that has so many.
 const OF_PRESETS: Plan = Plan { shape: Shape::Diamond, modules: 32, functions: 16 };
-
-/// What is timed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Work {
-    /// Nothing is known yet.
-    Cold,
-    /// Everything was composed once; another set of definitions, which is new.
-    New,
-    /// Two sets of definitions take turns, both known.
-    Known,
-    /// One module that includes nothing has another text.
-    Leaf,
-    /// Sixty-four sets of values, one after the other, none seen before.
-    Presets,
-}
-
-impl Work {
-    const ALL: [Self; 5] = [Self::Cold, Self::New, Self::Known, Self::Leaf, Self::Presets];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Cold => "Cold",
-            Self::New => "Warm, a new set of definitions",
-            Self::Known => "Warm, a set of definitions seen before",
-            Self::Leaf => "One leaf edited",
-            Self::Presets => "64 presets of one shader",
-        }
-    }
-}
-
-/// One graph in the words of one contestant, and two versions of its leaf.
-pub(crate) struct Entrant {
-    pub(crate) tool: Tool,
-    graph: Graph,
-    leaf: String,
-    versions: [String; 2],
-}
-
-impl Entrant {
-    pub(crate) fn new(tool: Tool, plan: Plan) -> Self {
-        let dialect = tool.dialect();
-        let versions = [1, 2].map(|salt| plan.module(dialect, plan.leaf(), salt));
-        Self { tool, graph: plan.graph(dialect), leaf: format!("m{}", plan.leaf()), versions }
-    }
-
-    /// What the contestant does in its turn.
-    pub(crate) fn turn(&self, work: Work) -> Outcome<Turn<'_>> {
-        let open = || Session::open(self.tool, &self.graph);
-        Ok(match work {
-            Work::Cold => Box::new(move |_| {
-                timed(|| {
-                    let mut session = open()?;
-                    let composed = session.compose(Settings::default())?;
-                    Ok((session, composed))
-                })
-            }),
-            Work::New => Box::new(move |_| {
-                let mut session = open()?;
-                session.compose(Settings::default())?;
-                timed(|| {
-                    let composed = session.compose(Settings { fine: false, ..Settings::default() })?;
-                    Ok((session, composed))
-                })
-            }),
-            Work::Known => {
-                let mut session = open()?;
-                for fine in [true, false] {
-                    session.compose(Settings { fine, ..Settings::default() })?;
-                }
-                Box::new(move |round| {
-                    timed(|| session.compose(Settings { fine: round % 2 == 0, ..Settings::default() }))
-                })
-            }
-            Work::Leaf => {
-                let mut session = open()?;
-                session.compose(Settings::default())?;
-                Box::new(move |round| {
-                    timed(|| {
-                        session.edit(&self.leaf, &self.versions[round % 2])?;
-                        session.compose(Settings::default())
-                    })
-                })
-            }
-            Work::Presets => Box::new(move |_| {
-                let mut session = open()?;
-                session.compose(Settings::default())?;
-                timed(|| {
-                    for preset in 0..PRESETS {
-                        session.compose(Settings { fine: preset % 2 == 0, gain: preset as i32 })?;
-                    }
-                    Ok(session)
-                })
-            }),
-        })
-    }
-}
 
 /// A contestant's times at one graph; none where it is out.
 struct Row {
@@ -214,20 +115,6 @@ fn row(plan: Plan, work: Work, tools: &[Tool]) -> Outcome<Row> {
     });
     eprintln!("  {:<40}{}", work.name(), told.collect::<Vec<_>>().join("   "));
     Ok(row)
-}
-
-/// The bytes of what a contestant makes: raw, and gzipped.
-pub(crate) fn output(tool: Tool, plan: Plan) -> Outcome<[usize; 2]> {
-    let graph = plan.graph(tool.dialect());
-    let composed = Session::open(tool, &graph)?.compose(Settings::default())?;
-    let text = composed.wgsl()?;
-    Ok([text.len(), gzipped(&text)?])
-}
-
-fn gzipped(text: &str) -> Outcome<usize> {
-    let mut encoder = GzEncoder::new(Vec::new(), Compression::best());
-    encoder.write_all(text.as_bytes())?;
-    Ok(encoder.finish()?.len())
 }
 
 /// Bytes raw and gzipped: as composed, minified by us, minified by `wgsl-minifier`.
@@ -418,15 +305,5 @@ fn verdict(holds: Option<bool>) -> String {
         None => String::new(),
         Some(true) => "kept".to_owned(),
         Some(false) => "**missed**".to_owned(),
-    }
-}
-
-/// Three digits that count.
-pub(crate) fn number(value: f64) -> String {
-    match value.abs() {
-        big if big >= 100.0 => format!("{value:.0}"),
-        middle if middle >= 10.0 => format!("{value:.1}"),
-        small if small >= 1.0 => format!("{value:.2}"),
-        _ => format!("{value:.3}"),
     }
 }

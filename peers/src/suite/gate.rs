@@ -3,8 +3,8 @@
 //! Each must validate and offer the same interface; on the smaller graphs, whose loops a software GPU compiles in seconds, each
 //! must compute the same values, bit for bit.
 
+use super::gpu::{Lab, Program};
 use crate::Outcome;
-use crate::gpu::{Lab, Program};
 use crate::graph::{Plan, Settings};
 use crate::tool::{Session, Tool};
 

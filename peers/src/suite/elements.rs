@@ -7,12 +7,12 @@ use std::process::Command;
 use orogen::render::{Gpu, Shot, render};
 use orogen::{Bake, Library, Preset, compose};
 
+use super::gpu::{Lab, Painting};
+use super::growth::line;
+use super::plot::{Curve, Scale, plot};
 use crate::Outcome;
-use crate::composing::number;
-use crate::gpu::{Lab, Painting};
-use crate::growth::line;
+use crate::contest::number;
 use crate::page::{Section, table};
-use crate::plot::{Curve, Scale, plot};
 use crate::time::quartiles;
 
 pub(crate) const TITLE: &str = "Elements";
