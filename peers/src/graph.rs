@@ -122,7 +122,7 @@ impl Plan {
     /// The text of one module; `salt` makes a changed version of it.
     pub(crate) fn module(self, dialect: Dialect, index: usize, salt: u32) -> String {
         let includes = self.includes(index);
-        let has_detail = index % 4 == 0;
+        let has_detail = index.is_multiple_of(4);
         let has_gain = index % 4 == 1;
         let mut text = String::new();
         if dialect == Dialect::NagaOil {

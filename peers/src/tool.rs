@@ -82,7 +82,7 @@ impl Composed {
 
 /// A tool with a graph in its hands.
 pub(crate) enum Session<'a> {
-    Orogen { library: Library, root: Preset, compose: Compose },
+    Orogen { library: Library, root: Preset, compose: Box<Compose> },
     NagaOil { composer: Box<Composer>, graph: &'a Graph, edited: HashMap<&'a str, Cow<'a, str>> },
     Wesl { graph: &'a Graph, compiler: Wesl<VirtualResolver<'a>>, modules: HashMap<&'a str, Cow<'a, str>> },
 }
@@ -100,7 +100,7 @@ impl<'a> Session<'a> {
                     library = library.with_file("settings.wgsl", text);
                 }
                 let root = Preset::of_text("root.wgsl", &graph.root);
-                Ok(Self::Orogen { library, root, compose: Compose::default() })
+                Ok(Self::Orogen { library, root, compose: Box::default() })
             }
             Tool::NagaOil | Tool::NagaOilLean => {
                 let composer = match tool {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::bench::{What, bench};
 use crate::install::{self, Install};
 use crate::judges;
 use crate::run::{Failure, Outcome, Steps, built, capture, cargo, run, shown, target};
@@ -13,7 +14,8 @@ const ONLY_BY_FEATURE: [&str; 5] = ["wgpu", "clap", "image", "indicatif", "notif
 const MOST_CRATES: usize = 25;
 
 /// What is built, in every step the same: features are united over what is chosen, and another choice would build the GPU
-/// stack anew. `peers` brings the contestants of `cargo xtask bench`: nobody else pays for them.
+/// stack anew. `peers` brings the contestants of `cargo xtask bench`: nobody but its guard
+/// pays for them.
 const ALL: &str = "--workspace --exclude peers";
 
 /// Runs all steps and sums them up, also after a failure.
@@ -33,7 +35,8 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
     steps.step("lints", || run(&mut cargo(&format!("clippy {ALL} --all-targets -- -D warnings"))))?;
     steps.step("lints without default features", || {
         run(&mut cargo("clippy -p orogen --no-default-features --lib -- -D warnings"))?;
-        run(&mut cargo("clippy -p orogen --no-default-features --features check --lib -- -D warnings"))
+        run(&mut cargo("clippy -p orogen --no-default-features --features check --lib -- -D warnings"))?;
+        run(&mut cargo("clippy -p peers --no-default-features --all-targets -- -D warnings"))
     })?;
     steps.step("few crates and no GPU stack without default features", dependencies)?;
     steps.step("what the tests need", || {
@@ -69,6 +72,7 @@ fn all(steps: &mut Steps, install: Install) -> Outcome {
         run(newcomer.arg(target()?).envs(driver.clone()))
     })?;
     steps.step("judges", || judges::judge(&[]))?;
+    steps.step("no slower beside the others", || bench(install, &What::Quick { accept: false }))?;
     steps.step("documentation", || {
         run(cargo(&format!("doc {ALL} --lib --no-deps")).env("RUSTDOCFLAGS", "-D warnings"))
     })
