@@ -52,6 +52,37 @@ fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
 }
 
 #[test]
+fn a_ray_out_of_steps_meets_the_ground_that_goes_on_level() {
+    let mut report = Report::new(SECTION, "a_ray_out_of_steps_meets_the_ground_that_goes_on_level");
+    let fragment = "#include <march/globe.wgsl> as globe with above = level_above
+        fn level_above(p: vec3f, footprint: f32) -> f32 {
+            return globe_height(p, 6360000.0) - 50.0;
+        }
+        fn march_at(dip: f32, far: f32) -> vec2f {
+            let steps = globe_Steps(0.1, 0.0, 0.001, 2, 2, 1e-6);
+            let direction = vec3f(cos(dip), -sin(dip), 0.0);
+            let found = globe_march(vec3f(0.0, 1000.0, 0.0), direction, 6360000.0, 5000.0, far, steps);
+            return vec2f(found.distance, f32(found.hit));
+        }";
+    let scope = Scope { fragment, ..Scope::default() };
+    let (eye, ground) = (6_361_000.0_f64, 6_360_050.0);
+    // The horizon lies .0173 rad below the horizontal: two rays pass above it.
+    for dip in [-0.1, 0.0165, 0.0185, 0.1, 0.5] {
+        let foot = eye * f64::sin(dip);
+        let chord2 = ground * ground - (eye * f64::cos(dip)).powi(2);
+        let meets = (dip > 0.0 && chord2 > 0.0).then(|| foot - chord2.sqrt());
+        let found =
+            values("march_at(dip, far)", &scope, ["dip", "far"], &[[dip as f32, 1e6], [dip as f32, 500.0]]);
+        let (distance, hit) = (found[0][0], f64::from(u8::from(meets.is_some())));
+        report.at_most(&format!("dip {dip}: met or not, errors"), (found[0][1] - hit).abs(), 0.0);
+        let error = (distance - meets.unwrap_or(1e6)).abs() / distance;
+        report.at_most(&format!("dip {dip}: error of the distance, as a part"), error, 2e-3);
+        report.at_most(&format!("dip {dip}: met beyond how far is looked"), found[1][1], 0.0);
+    }
+    report.finish();
+}
+
+#[test]
 fn places_are_moved_and_scaled_without_losing_digits() {
     let mut report = Report::new(SECTION, "places_are_moved_and_scaled_without_losing_digits");
     let scope = Scope { includes: &["<math/precise.wgsl>"], ..Scope::default() };

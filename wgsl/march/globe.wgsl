@@ -76,8 +76,9 @@ fn march(origin: vec3f, direction: vec3f, radius: f32, ceiling: f32, far: f32, h
             if steps + 1 >= how.max_steps {
                 let last = origin + low * direction;
                 let ahead = globe_span(last, direction, radius, globe_height(last, radius) - height);
-                let hit = ahead.near <= ahead.far && ahead.far > 0.0;
-                return MarchHit(select(far, low + max(ahead.near, 0.0), hit), hit, steps + 1, steps + 1);
+                let meets = low + max(ahead.near, 0.0);
+                let hit = ahead.near <= ahead.far && ahead.far > 0.0 && meets <= far;
+                return MarchHit(select(far, meets, hit), hit, steps + 1, steps + 1);
             }
             if t > end && low < end && end < within.far {
                 t = end; // the last look, where the ray is to end

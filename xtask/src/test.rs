@@ -14,8 +14,8 @@ const ONLY_BY_FEATURE: [&str; 5] = ["wgpu", "clap", "image", "indicatif", "notif
 const MOST_CRATES: usize = 25;
 
 /// What is built, in every step the same: features are united over what is chosen, and another choice would build the GPU
-/// stack anew. `peers` brings the contestants of `cargo xtask bench`: nobody but its guard
-/// pays for them.
+/// stack anew. `peers` brings the contestants of `cargo xtask bench`: its guard, built by itself, pays for
+/// two of them, and nobody else for any.
 const ALL: &str = "--workspace --exclude peers";
 
 /// Runs all steps and sums them up, also after a failure.
