@@ -1,6 +1,7 @@
 //! Proof: [`Baked`] → naga's typed module, or diagnostics in the authors' own files.
 
 mod guard;
+mod overrides;
 mod report;
 mod statement;
 
@@ -41,7 +42,10 @@ pub fn check(baked: Baked) -> Result<Checked, Error> {
         let options = wgsl::Options { parse_doc_comments: false, capabilities: capabilities() };
         let module = wgsl::Frontend::new_with_options(options).parse(text).map_err(Fault::Parse)?;
         match Validator::new(ValidationFlags::all(), capabilities()).validate(&module) {
-            Ok(info) => Ok((module, info)),
+            Ok(info) => match overrides::settle(&module, &info) {
+                Ok(()) => Ok((module, info)),
+                Err(why) => Err(Fault::Unsettled(why)),
+            },
             Err(error) => Err(Fault::Invalid(Box::new(error), Box::new(module))),
         }
     });
@@ -54,6 +58,7 @@ pub fn check(baked: Baked) -> Result<Checked, Error> {
             let diagnostic = match &fault {
                 Fault::Parse(error) => report::parse_error(&baked, error),
                 Fault::Invalid(error, module) => report::validation_error(&baked, module, error),
+                Fault::Unsettled(why) => report::unsettled(&baked, why),
             };
             Err(Error::new(vec![diagnostic], baked.composition.files.clone()))
         }
@@ -72,6 +77,7 @@ impl From<Panicked> for Error {
 enum Fault {
     Parse(wgsl::ParseError),
     Invalid(Box<naga::WithSpan<naga::valid::ValidationError>>, Box<naga::Module>),
+    Unsettled(overrides::Unsettled),
 }
 
 /// Entry points and bindings, from naga's module.

@@ -3,10 +3,12 @@
 use std::error::Error as _;
 use std::ops::Range;
 
+use naga::back::pipeline_constants::PipelineConstantError;
 use naga::front::wgsl::ParseError;
 use naga::valid::{CallError, EntryPointError, ExpressionError, FunctionError, ValidationError};
 use naga::{BinaryOperator, Module, Scalar, ScalarKind, Span as NagaSpan, TypeInner, WithSpan};
 
+use super::overrides::Unsettled;
 use super::statement;
 use crate::bake::Baked;
 use crate::diagnostic::{Diagnostic, nearest};
@@ -111,6 +113,50 @@ pub(super) fn validation_error(
     };
     diagnostic.notes.splice(0..0, named);
     diagnostic
+}
+
+/// Of overrides that naga cannot make a pipeline with.
+pub(super) fn unsettled(baked: &Baked, why: &Unsettled) -> Diagnostic {
+    let other_bakings = "or bake the parameters that it is made of as constants or live";
+    let (message, place_of, label, first) = match why {
+        Unsettled::Uncomputed(call) => {
+            let text = call.to_range().and_then(|range| baked.text.get(range)).unwrap_or_default();
+            let function = text.split(['(', '<']).next().unwrap_or_default().trim();
+            let message = format!("a variable begins with `{function}` of overrides alone, which naga cannot draw with");
+            (message, Some(*call), "made of overrides and constants only", "give the value to a `let` first")
+        }
+        Unsettled::Refused(error) => {
+            let PipelineConstantError::ValidationError(error) = &**error else {
+                let message = format!("naga cannot make a pipeline with these overrides: {error}");
+                return Diagnostic::error("OR0704", message);
+            };
+            let narrowest = error.spans().map(|(span, _)| *span);
+            let narrowest = narrowest.min_by_key(|span| span.to_range().map_or(usize::MAX, |range| range.len()));
+            let mut reason: &dyn std::error::Error = error.as_inner();
+            while let Some(inner) = reason.source() {
+                reason = inner;
+            }
+            if matches!(function_error(error.as_inner()), Some(FunctionError::ExpressionAlreadyInScope(_))) {
+                let message = "a part of what overrides alone make is used twice, which naga cannot draw with";
+                (message.to_owned(), narrowest, "made of overrides and constants only", "give each part to a `let`")
+            } else {
+                let message = format!("naga cannot draw with these overrides: {}", without_handles(&reason.to_string()));
+                (message, narrowest, "here", "write it another way")
+            }
+        }
+    };
+    let labels: Vec<_> = place_of.into_iter().map(|span| (span, label.to_owned())).collect();
+    let diagnostic = place(baked, Diagnostic::error("OR0704", message), &labels);
+    diagnostic.help(Some(format!("{first}, {other_bakings}")))
+}
+
+/// What is wrong in a function, where it is a function that is wrong.
+fn function_error(error: &ValidationError) -> Option<&FunctionError> {
+    match error {
+        ValidationError::Function { source, .. }
+        | ValidationError::EntryPoint { source: EntryPointError::Function(source), .. } => Some(source),
+        _ => None,
+    }
 }
 
 /// Where the function `name` is declared: its name there.

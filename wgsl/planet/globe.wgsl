@@ -15,12 +15,9 @@
 fn planet_axes() -> mat3x3f {
     let c = cos(planet.latitude);
     let s = sin(planet.latitude);
-    let along = vec2f(cos(planet.longitude), -sin(planet.longitude)); // x and z of the meridian
-    return mat3x3f(
-        vec3f(along.y, 0.0, -along.x),
-        vec3f(c * along.x, s, c * along.y),
-        vec3f(s * along.x, -c, s * along.y),
-    );
+    let x = cos(planet.longitude); // of the meridian
+    let z = -sin(planet.longitude);
+    return mat3x3f(vec3f(z, 0.0, -x), vec3f(c * x, s, c * z), vec3f(s * x, -c, s * z));
 }
 
 /// Height (m) of `p` (m) above sea level.

@@ -49,7 +49,9 @@ fn cloudscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
         passed *= air.transmittance;
         if !ends {
             // The sun's image in the sea is its glint.
-            radiance += passed * select(vec3f(0.0), sky_beyond(toward), bounce == 0);
+            if bounce == 0 {
+                radiance += passed * sky_beyond(toward);
+            }
             break;
         }
         distance = way;

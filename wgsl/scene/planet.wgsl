@@ -369,7 +369,10 @@ fn planet_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
             lit = min(returned * max(relief, 1.0), 1.0) / max(relief, 1.0) * irradiance / 3.14159265;
         }
 #endif
-        var behind = select(lit, sky_beyond(toward), i == PLANET_GROUND && !ends);
+        var behind = lit;
+        if i == PLANET_GROUND && !ends {
+            behind = sky_beyond(toward);
+        }
         let air_blur = select(0.0, blur, i == PLANET_MIRRORED);
 #if planet.clouds
         if !SHELL_RELIEF && !inside {

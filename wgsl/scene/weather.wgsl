@@ -171,7 +171,7 @@ fn weather_air_blurred(
     // Under the clouds the air scatters what they let through, and what the ground throws back, alike in all directions.
     let reach = mix(first.distance, min(distance, 1e5), first.transmittance);
     let under = weather_share_below(origin.y, direction.y, reach, clouds.base + 0.3 * clouds.thickness);
-    var sunny = 1.0 - clouds.coverage * mix(0.8, 1.0, clouds.coverage);
+    var sunny = 1.0 - clouds.coverage * (0.8 + 0.2 * clouds.coverage);
 #if weather.shafts
     sunny = weather_sunny_air(origin, direction, reach, jitter, day);
 #endif

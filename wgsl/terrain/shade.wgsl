@@ -29,7 +29,7 @@
 #if quality == low
 const LAND_STEPS: i32 = 48;
 const LAND_HALVINGS: i32 = 3; // of the last step, to find the ground in it
-const LAND_RELAX: f32 = 0.8;
+const LAND_RELAX: f32 = 1.0;
 const LAND_GROWTH: f32 = 0.035;
 const LAND_SHADOW_STEPS: i32 = 3;
 const LAND_DETAIL: f32 = 4.0; // width of the smallest detail looked at, in pixels

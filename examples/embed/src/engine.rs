@@ -57,7 +57,7 @@ pub struct Targets {
     pub thing: wgpu::Texture,
     pub depth: wgpu::Texture,
     display: wgpu::BindGroup,
-    /// Pixels of light: those of the display, times the samples.
+    /// Pixels of light: those of the display, times the samples, or fewer where several share one.
     pub size: [u32; 2],
     samples: u32,
 }
@@ -208,7 +208,15 @@ impl Engine {
 
     /// Room for pictures of `size` on the display, each pixel of it the mean of `samples`² of light.
     pub fn targets(&self, size: [u32; 2], samples: u32, exposure: f32) -> Targets {
-        let [width, height] = size.map(|side| side * samples);
+        self.targets_of(size.map(|side| side * samples), [samples, 1], exposure)
+    }
+
+    /// Room for pictures of `size` on the display, where blocks of `shared`² pixels show the same light.
+    pub fn rough_targets(&self, size: [u32; 2], shared: u32, exposure: f32) -> Targets {
+        self.targets_of(size.map(|side| side.div_ceil(shared)), [1, shared], exposure)
+    }
+
+    fn targets_of(&self, [width, height]: [u32; 2], share: [u32; 2], exposure: f32) -> Targets {
         let texture = |label, format| {
             self.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
@@ -224,9 +232,9 @@ impl Engine {
             })
         };
         let light = texture("light", LIGHT);
-        let display = self.layouts.bind_display(&self.device, &self.queue, &light, exposure, samples);
+        let display = self.layouts.bind_display(&self.device, &self.queue, &light, exposure, share);
         let (thing, depth) = (texture("things", THING), texture("depth", DEPTH));
-        Targets { light, thing, depth, display, size: [width, height], samples }
+        Targets { light, thing, depth, display, size: [width, height], samples: share[0] }
     }
 
     /// Draws a frame into `targets`, and brings it onto `display`.

@@ -122,15 +122,15 @@ impl Layouts {
         queue: &wgpu::Queue,
         light: &wgpu::Texture,
         exposure: f32,
-        samples: u32,
+        [samples, shared]: [u32; 2],
     ) -> wgpu::BindGroup {
         let settings = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("display"),
-            size: 8,
+            size: 12,
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        queue.write_buffer(&settings, 0, bytemuck::cast_slice(&[exposure.to_bits(), samples]));
+        queue.write_buffer(&settings, 0, bytemuck::cast_slice(&[exposure.to_bits(), samples, shared]));
         let view = light.create_view(&Default::default());
         bind(
             device,

@@ -28,6 +28,12 @@ const WALK: f32 = 40.0;
 const TURN: f32 = 0.002;
 const SUN: f32 = 10.0;
 
+/// So long may a picture take that somebody waits for; on a slow GPU it is a rough one, and a fine one comes after it.
+const SOON: Duration = Duration::from_millis(40);
+/// Pixels that share one of light, each way, while it is not known what a pixel takes, and at most.
+const ROUGH: u32 = 8;
+const ROUGHEST: u32 = 16;
+
 /// While the preset is edited, all its numbers are live: saving another value of one compiles nothing.
 fn edited() -> Bake {
     Bake::live(["*"]).at_binding(1, 0)
@@ -72,6 +78,12 @@ struct View {
     settings: wgpu::SurfaceConfiguration,
     engine: Engine,
     targets: Targets,
+    /// For pictures that are to come soon: room for them, and how many pixels share one of light in it, each way.
+    rough: Option<(u32, Targets)>,
+    /// Whether this window has seen a picture of these pipelines: drivers compile while they draw the first.
+    is_warm: bool,
+    /// What a pixel of light takes, where that is known.
+    pace: Option<Duration>,
     camera: Camera,
     keys: HashSet<KeyCode>,
     cursor: [f32; 2],
@@ -98,6 +110,7 @@ impl ApplicationHandler<News> for App {
                 let landscape = Landscape::new(&view.engine.device, made.shader, made.preset);
                 view.engine.set_landscape(landscape)?;
                 world::stand(&mut view.engine)?;
+                (view.is_warm, view.pace) = (false, None);
             }
             view.saved = Some((saved, is_tuned));
             Ok(())
@@ -115,6 +128,7 @@ impl ApplicationHandler<News> for App {
             WindowEvent::Resized(size) => view.resize([size.width, size.height]),
             WindowEvent::MouseInput { state, button: MouseButton::Left, .. } => {
                 view.is_turning = state == ElementState::Pressed;
+                view.window.request_redraw();
             }
             WindowEvent::CursorMoved { position, .. } => {
                 let (x, y) = (position.x as f32, position.y as f32);
@@ -184,6 +198,9 @@ impl View {
             settings,
             engine,
             targets,
+            rough: None,
+            is_warm: false,
+            pace: None,
             camera,
             keys,
             cursor: [0.0; 2],
@@ -197,7 +214,47 @@ impl View {
         (self.settings.width, self.settings.height) = (width.max(1), height.max(1));
         self.surface.configure(&self.engine.device, &self.settings);
         self.targets = self.engine.targets([self.settings.width, self.settings.height], 1, world::EXPOSURE);
+        self.rough = None;
         self.window.request_redraw();
+    }
+
+    /// How many pixels are to share one of light, each way: one, unless that takes too long for who waits.
+    fn share(&self) -> u32 {
+        let is_waited_for = self.saved.is_some() || self.is_turning || !self.keys.is_empty();
+        match self.pace {
+            None => ROUGH,
+            Some(pace) if is_waited_for => {
+                let pixels = f64::from(self.settings.width) * f64::from(self.settings.height);
+                let long = pace.as_secs_f64() * pixels / SOON.as_secs_f64();
+                (long.sqrt().ceil() as u32).clamp(1, ROUGHEST)
+            }
+            Some(_) => 1,
+        }
+    }
+
+    /// Draws onto `display`, finely or roughly, and learns what that takes.
+    fn paint(&mut self, display: &wgpu::TextureView) -> Fallible<()> {
+        let share = self.share();
+        if share > 1 && self.rough.as_ref().is_none_or(|(known, _)| *known != share) {
+            let size = [self.settings.width, self.settings.height];
+            self.rough = Some((share, self.engine.rough_targets(size, share, world::EXPOSURE)));
+        }
+        let targets = match &self.rough {
+            Some((_, rough)) if share > 1 => rough,
+            _ => &self.targets,
+        };
+        let start = Instant::now();
+        self.engine.draw(&self.camera, targets, display)?;
+        self.engine.device.poll(wgpu::PollType::wait_indefinitely())?;
+        // A rough picture takes longer by the pixel: it counts only until there is a fine one.
+        if self.is_warm && (share == 1 || self.pace.is_none()) {
+            self.pace = Some(start.elapsed() / (targets.size[0] * targets.size[1]).max(1));
+        }
+        self.is_warm = true;
+        if share > 1 {
+            self.window.request_redraw(); // a fine one, unless somebody still waits
+        }
+        Ok(())
     }
 
     fn draw(&mut self) -> Fallible<()> {
@@ -205,11 +262,7 @@ impl View {
         use wgpu::CurrentSurfaceTexture as Current;
         match self.surface.get_current_texture() {
             Current::Success(frame) | Current::Suboptimal(frame) => {
-                self.engine.draw(
-                    &self.camera,
-                    &self.targets,
-                    &frame.texture.create_view(&Default::default()),
-                )?;
+                self.paint(&frame.texture.create_view(&Default::default()))?;
                 self.window.pre_present_notify();
                 self.engine.queue.present(frame);
             }
@@ -221,7 +274,6 @@ impl View {
             Current::Validation => return Err("the window cannot be drawn onto".into()),
         }
         if let Some((saved, is_tuned)) = self.saved.take() {
-            self.engine.device.poll(wgpu::PollType::wait_indefinitely())?;
             eprintln!("drawn {:?} after the save", saved.elapsed());
             if is_tuned {
                 // The picture came first; now things go where the ground is by now.

@@ -8,10 +8,10 @@ use super::gpu::{Lab, Painting};
 use crate::Outcome;
 use crate::child::{self, End};
 use crate::contest::{Entrant, Work, number};
-use crate::graph::{Dialect, Plan, Shape};
+use crate::graph::{Dialect, Plan, Settings, Shape};
 use crate::page::{Section, table};
-use crate::time::{interleaved, quartiles};
-use crate::tool::Tool;
+use crate::time::{interleaved, quartiles, timed};
+use crate::tool::{Session, Tool, validated};
 
 pub(crate) const TITLE: &str = "Growth";
 
@@ -29,8 +29,9 @@ struct Taken {
 
 pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
     let tools = [Tool::Orogen, Tool::NagaOil, Tool::NagaOilLean, Tool::Wesl];
-    let mut rows: Vec<[String; 6]> = Vec::new();
+    let mut rows: Vec<[String; 7]> = Vec::new();
     let mut points: Vec<Vec<(f64, f64, f64)>> = vec![Vec::new(); tools.len()];
+    let mut floors = Vec::new();
     let mut still_in = tools.to_vec();
     for modules in MODULES {
         let plan = Plan { shape: Shape::Wide, modules, functions: FUNCTIONS };
@@ -44,8 +45,13 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
             }
         }
         let entrants: Vec<Entrant> = still_in.iter().map(|tool| Entrant::new(*tool, plan)).collect();
+        // The floor under all of them: naga, given the whole text at once.
+        let graph = plan.graph(Dialect::Orogen);
+        let whole =
+            Session::open(Tool::Orogen, &graph)?.compose_once(Settings::default())?.wgsl()?.into_owned();
         let mut turns =
             entrants.iter().map(|entrant| entrant.turn(Work::Cold)).collect::<Outcome<Vec<_>>>()?;
+        turns.push(Box::new(|_| timed(|| checked(&whole))));
         let runs = interleaved(&mut turns, (2, 7), Duration::from_secs(10))?;
         let taken = |tool: &Tool| {
             let index = still_in.iter().position(|other| other == tool)?;
@@ -58,8 +64,11 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
         for (tool, points) in tools.iter().zip(&mut points) {
             points.extend(taken(tool).map(|taken| (bytes as f64, taken.cpu, taken.mib)));
         }
+        let floor = runs.last().map_or(f64::NAN, |runs| runs.cpu().median);
+        floors.push((bytes as f64, floor));
         let [ours, oil, lean, wesl] = [0, 1, 2, 3].map(|index| cell(&tools[index]));
-        rows.push([modules.to_string(), format!("{:.2}", bytes as f64 / 1e6), ours, oil, lean, wesl]);
+        let size = format!("{:.2}", bytes as f64 / 1e6);
+        rows.push([modules.to_string(), size, ours, oil, lean, wesl, number(floor)]);
     }
     let exponents = points.iter().map(|points| {
         let slope =
@@ -68,16 +77,25 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
     });
     let exponents: Vec<String> = exponents.collect();
     let [ours, oil, lean, wesl] = [0, 1, 2, 3].map(|index| exponents[index].clone());
-    rows.push(["**exponent**".to_owned(), String::new(), ours, oil, lean, wesl]);
+    let floor = format!("{:.2}", exponent(floors.into_iter()));
+    rows.push(["**exponent**".to_owned(), String::new(), ours, oil, lean, wesl, floor]);
     let names = tools.map(Tool::name);
     let mut text = format!(
-        "Composing cold, all modules included by the root, {FUNCTIONS} functions a module: CPU ms / peak MiB. The last row is the \
-         slope on log-log paper: 1 is linear. A contestant that needs more than {} s for one composition is out from there on.\n\n{}",
+        "Composing cold, all modules included by the root, {FUNCTIONS} functions a module: CPU ms / peak MiB. The last column is naga \
+         alone, which parses and validates the text that orogen makes: nobody who validates gets below it. The last row is the slope on \
+         log-log paper: 1 is linear. A contestant that needs more than {} s for one composition is out from there on.\n\n{}",
         MOST.as_secs(),
-        table(["modules", "MB", names[0], names[1], names[2], names[3]], &rows),
+        table(["modules", "MB", names[0], names[1], names[2], names[3], "naga alone"], &rows),
     );
     text += &pictures(lab)?;
     Ok(Section { title: TITLE, text })
+}
+
+/// `text`, parsed and validated.
+fn checked(text: &str) -> Outcome<(naga::Module, naga::valid::ModuleInfo)> {
+    let module = naga::front::wgsl::parse_str(text).map_err(|error| error.emit_to_string(text))?;
+    let info = validated(&module)?;
+    Ok((module, info))
 }
 
 /// The slope of a line of least squares through the logarithms.
@@ -100,8 +118,8 @@ pub(crate) fn line(points: impl Iterator<Item = (f64, f64)>) -> (f64, f64, f64) 
 /// How long pictures take by octaves, and by steps.
 fn pictures(lab: &Lab) -> Outcome<String> {
     let mut text = format!(
-        "\n### Pictures\n\n{}×{} pixels of land alone, {} a frame (medians of 5), on {}. The number of octaves is a parameter; \
-         steps are those of a \
+        "\n### Pictures\n\n{}×{} pixels of land alone, {} a frame (medians of 5), on {}. The number of octaves is a parameter, \
+         and those too fine for a pixel are left out: from some number on more of them cost nothing. Steps are those of a \
          march of even steps over one octave of Perlin noise. R² is that of a line.\n\n",
         SIZE.0,
         SIZE.1,

@@ -1,0 +1,9 @@
+#param cloud.coverage: f32 = 0.3, range 0 .. 1
+
+@fragment
+fn main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    let share = mix(0.8, 1.0, cloud.coverage);
+    var sunny = 1.0 - cloud.coverage * share;
+    sunny *= position.x;
+    return vec4f(sunny);
+}

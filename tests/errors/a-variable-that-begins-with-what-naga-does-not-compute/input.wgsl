@@ -1,0 +1,8 @@
+#param cloud.coverage: f32 = 0.3, range 0 .. 1
+
+@fragment
+fn main(@builtin(position) position: vec4f) -> @location(0) vec4f {
+    var sunny = 1.0 - cloud.coverage * mix(0.8, 1.0, cloud.coverage);
+    sunny *= position.x;
+    return vec4f(sunny);
+}
