@@ -122,7 +122,9 @@ pub(super) fn unsettled(baked: &Baked, why: &Unsettled) -> Diagnostic {
         Unsettled::Uncomputed(call) => {
             let text = call.to_range().and_then(|range| baked.text.get(range)).unwrap_or_default();
             let function = text.split(['(', '<']).next().unwrap_or_default().trim();
-            let message = format!("a variable begins with `{function}` of overrides alone, which naga cannot draw with");
+            let message = format!(
+                "a variable begins with `{function}` of overrides alone, which naga cannot draw with"
+            );
             (message, Some(*call), "made of overrides and constants only", "give the value to a `let` first")
         }
         Unsettled::Refused(error) => {
@@ -131,16 +133,26 @@ pub(super) fn unsettled(baked: &Baked, why: &Unsettled) -> Diagnostic {
                 return Diagnostic::error("OR0704", message);
             };
             let narrowest = error.spans().map(|(span, _)| *span);
-            let narrowest = narrowest.min_by_key(|span| span.to_range().map_or(usize::MAX, |range| range.len()));
+            let narrowest =
+                narrowest.min_by_key(|span| span.to_range().map_or(usize::MAX, |range| range.len()));
             let mut reason: &dyn std::error::Error = error.as_inner();
             while let Some(inner) = reason.source() {
                 reason = inner;
             }
             if matches!(function_error(error.as_inner()), Some(FunctionError::ExpressionAlreadyInScope(_))) {
-                let message = "a part of what overrides alone make is used twice, which naga cannot draw with";
-                (message.to_owned(), narrowest, "made of overrides and constants only", "give each part to a `let`")
+                let message =
+                    "a part of what overrides alone make is used twice, which naga cannot draw with";
+                (
+                    message.to_owned(),
+                    narrowest,
+                    "made of overrides and constants only",
+                    "give each part to a `let`",
+                )
             } else {
-                let message = format!("naga cannot draw with these overrides: {}", without_handles(&reason.to_string()));
+                let message = format!(
+                    "naga cannot draw with these overrides: {}",
+                    without_handles(&reason.to_string())
+                );
                 (message, narrowest, "here", "write it another way")
             }
         }

@@ -216,13 +216,13 @@ fn weather_share_below(y: f32, climb: f32, distance: f32, ceiling: f32) -> f32 {
 #if weather.clouds && weather.shafts
 
 #if quality == low
-const SHAFT_SAMPLES: vec2i = vec2i(4, 3); // places along the ray, and samples from each to the sun
+const SHAFT_SAMPLES: vec2i = vec2i(4, 6); // places along the ray, and samples from each to the sun: too few let it shine through
 #elif quality == medium
-const SHAFT_SAMPLES: vec2i = vec2i(8, 3);
+const SHAFT_SAMPLES: vec2i = vec2i(8, 6);
 #elif quality == high
-const SHAFT_SAMPLES: vec2i = vec2i(32, 4);
+const SHAFT_SAMPLES: vec2i = vec2i(24, 8);
 #else
-const SHAFT_SAMPLES: vec2i = vec2i(48, 6);
+const SHAFT_SAMPLES: vec2i = vec2i(48, 12);
 #endif
 
 /// Mean part of the sun that reaches the air below the clouds along a ray.

@@ -211,9 +211,9 @@ impl Engine {
         self.targets_of(size.map(|side| side * samples), [samples, 1], exposure)
     }
 
-    /// Room for pictures of `size` on the display, where blocks of `shared`² pixels show the same light.
-    pub fn rough_targets(&self, size: [u32; 2], shared: u32, exposure: f32) -> Targets {
-        self.targets_of(size.map(|side| side.div_ceil(shared)), [1, shared], exposure)
+    /// Room for pictures of `size` on the display, where blocks of `block`² pixels show the same light.
+    pub fn rough_targets(&self, size: [u32; 2], block: u32, exposure: f32) -> Targets {
+        self.targets_of(size.map(|side| side.div_ceil(block)), [1, block], exposure)
     }
 
     fn targets_of(&self, [width, height]: [u32; 2], share: [u32; 2], exposure: f32) -> Targets {

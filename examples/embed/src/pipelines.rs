@@ -122,7 +122,7 @@ impl Layouts {
         queue: &wgpu::Queue,
         light: &wgpu::Texture,
         exposure: f32,
-        [samples, shared]: [u32; 2],
+        [samples, block]: [u32; 2],
     ) -> wgpu::BindGroup {
         let settings = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("display"),
@@ -130,7 +130,7 @@ impl Layouts {
             usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
         });
-        queue.write_buffer(&settings, 0, bytemuck::cast_slice(&[exposure.to_bits(), samples, shared]));
+        queue.write_buffer(&settings, 0, bytemuck::cast_slice(&[exposure.to_bits(), samples, block]));
         let view = light.create_view(&Default::default());
         bind(
             device,

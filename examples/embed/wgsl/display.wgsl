@@ -5,8 +5,8 @@ struct Display {
     exposure: f32,
     /// Samples a pixel, each way.
     samples: u32,
-    /// Pixels that share a sample, each way.
-    shared: u32,
+    /// Side of the blocks of pixels that share a sample.
+    block: u32,
 }
 
 @group(0) @binding(0) var light: texture_2d<f32>;
@@ -19,7 +19,7 @@ fn display_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f
 
 @fragment
 fn display_fragment(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
-    let first = vec2u(pixel.xy) / display.shared * display.samples;
+    let first = vec2u(pixel.xy) / display.block * display.samples;
     var shown = vec3f(0.0);
     for (var y = 0u; y < display.samples; y++) {
         for (var x = 0u; x < display.samples; x++) {

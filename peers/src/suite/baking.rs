@@ -13,7 +13,7 @@ use crate::time::quartiles;
 pub(crate) const TITLE: &str = "Baking";
 
 const SIZE: (u32, u32) = (160, 90);
-const ROUNDS: usize = 5;
+const ROUNDS: usize = 3;
 
 pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
     let mut rows = Vec::new();
@@ -26,7 +26,8 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
         let shaders = [constants?, overrides?, uniforms?];
         // On a device of its own each time, so that no driver knows the shader already; they take turns.
         let labs = [Lab::open()?, Lab::open()?, Lab::open()?];
-        let paintings = shaders.iter().zip(&labs).map(|(shader, lab)| Painting::new(lab, shader, &preset, SIZE));
+        let paintings =
+            shaders.iter().zip(&labs).map(|(shader, lab)| Painting::new(lab, shader, &preset, SIZE));
         let paintings = paintings.collect::<Outcome<Vec<_>>>()?;
         let mut frames = [const { Vec::new() }; 3];
         for _ in 0..ROUNDS {
