@@ -648,7 +648,7 @@ fn clouds_mean(origin: vec3f, direction: vec3f, far: f32, day: Daylight) -> Clou
 fn cloud_effort() -> cloud_volume_Volume {
     let unit = clouds.scale / 1000.0;
 #if quality == low
-    return cloud_volume_Volume(0.5, 0.9, 3, 26.0 * unit, 0.1, 4.0 * unit, 26, 0.08, 0.0);
+    return cloud_volume_Volume(0.5, 0.9, 3, 26.0 * unit, 0.12, 4.0 * unit, 24, 0.1, 0.0);
 #elif quality == medium
     return cloud_volume_Volume(0.2, 0.5, 10, 13.0 * unit, 0.009, 1.5 * unit, 128, 0.02, 0.0);
 #elif quality == high
