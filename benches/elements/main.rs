@@ -75,18 +75,19 @@ fn main() -> Result<(), String> {
 
 /// Prints what a preset costs at low and at high quality; whether low takes less than a quarter.
 fn qualities(gpu: &Gpu, name: &str) -> Result<bool, Error> {
+    let made = |quality: &str| {
+        let mut preset = Preset::named(name)?;
+        preset.set(&format!("quality={quality}"))?;
+        let shader = compose(&Library::standard(), &preset, &Bake::constants())?;
+        frame(gpu, &shader, &preset, (32, 18), 1)?; // compiles: drivers keep that from one picture to the next
+        Ok::<_, Error>((preset, shader))
+    };
+    let (low, high) = (made("low")?, made("high")?);
     // In turn, and the least of each: what else the machine does only adds.
     let mut spent = [f64::INFINITY; 2];
-    for round in 0..=COMPARED_ROUNDS {
-        for (spent, (quality, frames)) in spent.iter_mut().zip([("low", 8), ("high", 2)]) {
-            let mut preset = Preset::named(name)?;
-            preset.set(&format!("quality={quality}"))?;
-            let shader = compose(&Library::standard(), &preset, &Bake::constants())?;
-            if round == 0 {
-                frame(gpu, &shader, &preset, (32, 18), 1)?; // compiles: drivers keep that from one picture to the next
-            } else {
-                *spent = spent.min(frame(gpu, &shader, &preset, COMPARED, frames)?);
-            }
+    for _ in 0..COMPARED_ROUNDS {
+        for (spent, ((preset, shader), frames)) in spent.iter_mut().zip([(&low, 8), (&high, 2)]) {
+            *spent = spent.min(frame(gpu, shader, preset, COMPARED, frames)?);
         }
     }
     let [low, high] = spent;

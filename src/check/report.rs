@@ -1,6 +1,5 @@
 //! naga's errors, told at the place in the author's file.
 
-use std::error::Error as _;
 use std::ops::Range;
 
 use naga::back::pipeline_constants::PipelineConstantError;
@@ -56,30 +55,12 @@ pub(super) fn validation_error(
     module: &Module,
     error: &WithSpan<ValidationError>,
 ) -> Diagnostic {
-    // The innermost reason says what is wrong; of the outer ones, those count that name something of the author's.
-    let mut reasons = vec![error.as_inner().to_string()];
-    let mut source = error.as_inner().source();
-    while let Some(inner) = source {
-        reasons.push(inner.to_string());
-        source = inner.source();
-    }
-    let function = match error.as_inner() {
-        ValidationError::Function { name, source, .. } => Some((name, source)),
-        ValidationError::EntryPoint { name, source: EntryPointError::Function(source), .. } => {
-            Some((name, source))
-        }
-        _ => None,
-    };
+    let function = function_error(error.as_inner());
     let plain =
         function.and_then(|(name, error)| in_words(name, error)).or_else(|| binding_clash(error.as_inner()));
-    let (message, at_place, help) = plain
-        .unwrap_or_else(|| (without_handles(&reasons.pop().unwrap_or_default()), "here".to_owned(), None));
-    // The narrowest place first: the whole function around it says nothing that the narrower does not.
-    let mut spans: Vec<_> = error.spans().cloned().collect();
-    spans.sort_by_key(|(span, _)| span.to_range().map_or(usize::MAX, |range| range.len()));
-    let mut labels: Vec<_> = spans
+    let (message, at_place, help) = plain.unwrap_or_else(|| (innermost(error), "here".to_owned(), None));
+    let mut labels: Vec<_> = narrowest(error)
         .into_iter()
-        .take(1)
         .map(|(span, label)| {
             let says_more = !label.contains("naga::") && label != message;
             (span, if says_more { label } else { at_place.clone() })
@@ -117,58 +98,67 @@ pub(super) fn validation_error(
 
 /// Of overrides that naga cannot make a pipeline with.
 pub(super) fn unsettled(baked: &Baked, why: &Unsettled) -> Diagnostic {
-    let other_bakings = "or bake the parameters that it is made of as constants or live";
-    let (message, place_of, label, first) = match why {
+    let of_overrides = "made of overrides and constants only";
+    let (message, span, label, remedy) = match why {
         Unsettled::Uncomputed(call) => {
             let text = call.to_range().and_then(|range| baked.text.get(range)).unwrap_or_default();
             let function = text.split(['(', '<']).next().unwrap_or_default().trim();
             let message = format!(
                 "a variable begins with `{function}` of overrides alone, which naga cannot draw with"
             );
-            (message, Some(*call), "made of overrides and constants only", "give the value to a `let` first")
+            (message, Some(*call), of_overrides, "give the value to a `let` first")
         }
-        Unsettled::Refused(error) => {
-            let PipelineConstantError::ValidationError(error) = &**error else {
-                let message = format!("naga cannot make a pipeline with these overrides: {error}");
-                return Diagnostic::error("OR0704", message);
-            };
-            let narrowest = error.spans().map(|(span, _)| *span);
-            let narrowest =
-                narrowest.min_by_key(|span| span.to_range().map_or(usize::MAX, |range| range.len()));
-            let mut reason: &dyn std::error::Error = error.as_inner();
-            while let Some(inner) = reason.source() {
-                reason = inner;
+        Unsettled::Refused(error) => match &**error {
+            PipelineConstantError::ValidationError(error) => {
+                let span = narrowest(error).map(|(span, _)| span);
+                if let Some((_, FunctionError::ExpressionAlreadyInScope(_))) =
+                    function_error(error.as_inner())
+                {
+                    let message =
+                        "a part of what overrides alone make is used twice, which naga cannot draw with";
+                    (message.to_owned(), span, of_overrides, "give each part to a `let`")
+                } else {
+                    let message = format!("naga cannot draw with these overrides: {}", innermost(error));
+                    (message, span, "here", "write it another way")
+                }
             }
-            if matches!(function_error(error.as_inner()), Some(FunctionError::ExpressionAlreadyInScope(_))) {
-                let message =
-                    "a part of what overrides alone make is used twice, which naga cannot draw with";
-                (
-                    message.to_owned(),
-                    narrowest,
-                    "made of overrides and constants only",
-                    "give each part to a `let`",
-                )
-            } else {
-                let message = format!(
-                    "naga cannot draw with these overrides: {}",
-                    without_handles(&reason.to_string())
-                );
-                (message, narrowest, "here", "write it another way")
-            }
-        }
+            error => (
+                format!("naga cannot draw with these overrides: {error}"),
+                None,
+                "here",
+                "give them other values",
+            ),
+        },
     };
-    let labels: Vec<_> = place_of.into_iter().map(|span| (span, label.to_owned())).collect();
-    let diagnostic = place(baked, Diagnostic::error("OR0704", message), &labels);
-    diagnostic.help(Some(format!("{first}, {other_bakings}")))
+    let labels: Vec<_> = span.into_iter().map(|span| (span, label.to_owned())).collect();
+    let help = format!("{remedy}, or bake the parameters that it is made of as constants or live");
+    place(baked, Diagnostic::error("OR0704", message), &labels).help(Some(help))
 }
 
-/// What is wrong in a function, where it is a function that is wrong.
-fn function_error(error: &ValidationError) -> Option<&FunctionError> {
+/// The function that is wrong and what is wrong in it, where it is a function.
+fn function_error(error: &ValidationError) -> Option<(&String, &FunctionError)> {
     match error {
-        ValidationError::Function { source, .. }
-        | ValidationError::EntryPoint { source: EntryPointError::Function(source), .. } => Some(source),
+        ValidationError::Function { name, source, .. }
+        | ValidationError::EntryPoint { name, source: EntryPointError::Function(source), .. } => {
+            Some((name, source))
+        }
         _ => None,
     }
+}
+
+/// The innermost reason says what is wrong.
+fn innermost(error: &WithSpan<ValidationError>) -> String {
+    let mut reason: &dyn std::error::Error = error.as_inner();
+    while let Some(inner) = reason.source() {
+        reason = inner;
+    }
+    without_handles(&reason.to_string())
+}
+
+/// The narrowest place: the whole function around it says nothing that the narrower does not.
+fn narrowest(error: &WithSpan<ValidationError>) -> Option<(NagaSpan, String)> {
+    let spans = error.spans().cloned();
+    spans.min_by_key(|(span, _)| span.to_range().map_or(usize::MAX, |range| range.len()))
 }
 
 /// Where the function `name` is declared: its name there.

@@ -15,7 +15,8 @@
 fn planet_axes() -> mat3x3f {
     let c = cos(planet.latitude);
     let s = sin(planet.latitude);
-    let x = cos(planet.longitude); // of the meridian
+    // Of the meridian. Two numbers, no vector: made of overrides, naga would take it apart only once.
+    let x = cos(planet.longitude);
     let z = -sin(planet.longitude);
     return mat3x3f(vec3f(z, 0.0, -x), vec3f(c * x, s, c * z), vec3f(s * x, -c, s * z));
 }

@@ -23,7 +23,7 @@
 #param trees.bark: vec3f = (0.11, 0.085, 0.065), color
 
 #if quality == low
-const TREE_LEAST: f32 = 10.0; // pixels that the tallest trees stand up to where trees are drawn one by one
+const TREE_LEAST: f32 = 9.0; // pixels that the tallest trees stand up to where trees are drawn one by one
 const TREE_DETAIL: f32 = 2.5; // width of the smallest detail looked at, in pixels
 const TREE_STEPS: i32 = 80; // cells looked at along a ray
 const TREE_CROWNS: i32 = 4; // crowns marched through

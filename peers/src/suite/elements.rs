@@ -89,8 +89,8 @@ pub(crate) fn measure(lab: &Lab) -> Outcome<Section> {
     let verdict = if straight { "kept" } else { "**missed**" };
     let [low, medium, high, ultra] = QUALITIES;
     let mut text = format!(
-        "Seconds a megapixel ({}, {}), and in brackets R² of a line through {} (medians of {ROUNDS} to {MOST_ROUNDS} frames, compiling left out). All but the \
-         planet are the preset `lake` with the elements named, the planet is `earth`. Bar: R² at least {LEAST_R2}: {verdict}.\n\n{}",
+        "Seconds a megapixel ({}, {}), and in brackets R² of a line through {} (medians of {ROUNDS} to {MOST_ROUNDS} \
+         frames, compiling left out). All but the planet are the preset `lake` with the elements named, the planet is `earth`. Bar: R² at least {LEAST_R2}: {verdict}.\n\n{}",
         lab.name,
         lab.clock(),
         sizes.join(", "),
@@ -190,7 +190,8 @@ fn marches() -> Outcome<String> {
     if text.is_empty() {
         return Err("the march's bench printed no tables".into());
     }
-    text += "Of the adaptive march, those settings that miss no land which a careful march finds. The bounded march misses none at any.\n\n";
+    text += "Of the adaptive march, those settings that miss no land which a careful march finds. The bounded march misses none at \
+             any.\n\n";
     Ok(text)
 }
 
