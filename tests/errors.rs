@@ -23,8 +23,8 @@ const MADE: [(&str, Made); 6] = [
         case.library().with_file("large.wgsl", " ".repeat((16 << 20) + 1))
     }),
     ("a-link-out-of-the-root-is-not-followed", linked),
-    ("includes-nested-deeper-than-256-are-refused", |case| {
-        (0..300).fold(case.library(), |library, n| {
+    ("includes-nested-deeper-than-1024-are-refused", |case| {
+        (0..1100).fold(case.library(), |library, n| {
             library.with_file(format!("level{n}.wgsl"), format!("#include <level{}.wgsl>\n", n + 1))
         })
     }),

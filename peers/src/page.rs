@@ -22,13 +22,12 @@ pub(crate) fn table<const N: usize>(head: [&str; N], rows: &[[String; N]]) -> St
     text
 }
 
-/// Writes `sections` into the page at `path`, under `head`; sections that were not measured anew stay as they are.
-pub(crate) fn write(path: &Path, head: &str, order: &[&str], sections: Vec<Section>) -> Outcome {
+/// Writes `measured` into the page at `path`, under `head`; all other sections stay as they are.
+pub(crate) fn write(path: &Path, head: &str, order: &[&str], measured: &Section) -> Outcome {
     let old = std::fs::read_to_string(path).unwrap_or_default(); // there may be none yet
     let mut page = head.trim_end().to_owned() + "\n";
     for title in order {
-        let new =
-            sections.iter().find(|section| section.title == *title).map(|section| section.text.as_str());
+        let new = (measured.title == *title).then_some(measured.text.as_str());
         if let Some(text) = new.or_else(|| part_of(&old, title)) {
             let _ = write!(page, "\n## {title}\n\n{}\n", text.trim());
         }

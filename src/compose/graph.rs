@@ -15,7 +15,7 @@ use crate::source::{FileId, Files, Library, Source, SourceError, Span};
 use crate::syntax::{DirectiveKind, Fragment, Include};
 
 /// How deep includes may nest.
-const MAX_DEPTH: usize = 256;
+const MAX_DEPTH: usize = 1024;
 /// How many instances there may be.
 const MAX_INSTANCES: usize = 65_536;
 /// How many MiB all instances may hold together.

@@ -476,3 +476,45 @@ fn light_left(seed: u32) -> f32 {
     report.told("farthest that a tree reaches out of its cell, cells", value("TREE_OVERHANG", &scope)[0]);
     report.finish();
 }
+
+#[test]
+fn no_tree_stands_where_the_land_was_seen_far_below() {
+    let mut report = Report::new("Trees", "no_tree_stands_where_the_land_was_seen_far_below");
+    let fragment = r#"
+#include <noise/pcg.wgsl>
+#include <terrain/height.wgsl>
+#include <terrain/shade.wgsl>
+#include <trees/trees.wgsl>
+
+// How near the ray comes to the land before it need be asked for trees, in heights of the tallest; how far that is and how
+// far the ray goes in all (m).
+fn clear_way(seed: u32) -> vec3f {
+    let dice = unit_float3(pcg3d(vec3u(seed, 1u, 2u)));
+    let aim = unit_float3(pcg3d(vec3u(seed, 3u, 4u)));
+    let place = 20000.0 * (dice.xz - 0.5);
+    let origin = vec3f(place.x, terrain_height(place) + 2.0 + 250.0 * dice.y * dice.y, place.y);
+    let turn = 6.2831853 * aim.x;
+    let direction = normalize(vec3f(cos(turn), 0.35 * (aim.y - 0.75), sin(turn)));
+    let approach = terrain_approach(origin, direction, 1.0, trees_clearance());
+    let far = min(approach.clear, trees_end());
+    var least = 1e9;
+    for (var i = 1; i <= 400; i++) {
+        let p = origin + f32(i) / 401.0 * far * direction;
+        least = min(least, p.y - terrain_height_filtered(p.xz, trees.spacing));
+    }
+    return vec3f(select(1e9, least / trees.tallest, far > 0.0), far, min(approach.hit.distance, trees_end()));
+}
+"#;
+    let seeds: Vec<_> = (0..4000).map(|seed| [seed as f32]).collect();
+    for (quality, allowed) in [("high", 0.0), ("low", 0.002)] {
+        let mut preset = woods();
+        preset.set(&format!("quality={quality}")).unwrap();
+        let scope = Scope { includes: TREES, fragment, preset: Some(&preset) };
+        let rows = values("clear_way(seed)", &scope, ["seed:u32"], &seeds);
+        let low = rows.iter().filter(|row| row[0] < 1.0).count() as f64 / rows.len() as f64;
+        report.at_most(&format!("{quality}: part of the rays that come among trees before"), low, allowed);
+        let sum = |column: usize| rows.iter().map(|row| row[column]).sum::<f64>();
+        report.at_least(&format!("{quality}: part of the way that is left out"), sum(1) / sum(2), 0.25);
+    }
+    report.finish();
+}

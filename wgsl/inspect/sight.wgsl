@@ -16,16 +16,24 @@ struct Sight {
     distance: f32,
     /// Steps of the march: heights looked up, or single octaves where it goes octave by octave.
     steps: i32,
+    /// As far as it is to be seen that nothing `clearance` (m) high is met.
+    clear: f32,
     /// Width of the pixel there (m).
     footprint: f32,
 }
 
 /// The ray through `frag_coord` (pixels from the bottom left), as the scene marches it.
 fn inspect_sight(frag_coord: vec2f) -> Sight {
+    return inspect_sight_over(frag_coord, 0.0);
+}
+
+/// As `inspect_sight`, where things up to `clearance` (m) high stand on the land.
+fn inspect_sight_over(frag_coord: vec2f, clearance: f32) -> Sight {
     let ray = camera_ray(frag_coord, terrain_height(camera.position.xz));
-    let found = terrain_trace(ray.origin, ray.direction);
+    let approach = terrain_approach(ray.origin, ray.direction, 1.0, clearance);
+    let found = approach.hit;
     let footprint = terrain_footprint(found.distance);
-    return Sight(ray.origin, ray.direction, found.hit, found.distance, found.steps, footprint);
+    return Sight(ray.origin, ray.direction, found.hit, found.distance, found.steps, approach.clear, footprint);
 }
 
 /// Ground that was met.

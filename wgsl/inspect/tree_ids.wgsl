@@ -18,8 +18,8 @@ fn tree_color(id: u32) -> vec3f {
 /// The picture's sRGB colour at `frag_coord` (pixels from the bottom left), alpha 1. Trees are drawn as `trees.*` has
 /// them, also where the preset's scene leaves them out.
 fn main_image(frag_coord: vec2f) -> vec4f {
-    let sight = inspect_sight(frag_coord);
-    let tree = trees_trace(sight.origin, sight.direction, 0.0, sight.distance);
+    let sight = inspect_sight_over(frag_coord, trees_clearance());
+    let tree = trees_trace(sight.origin, sight.direction, sight.clear, sight.distance);
     var color = SCALE_NOTHING;
     if tree.hit {
         color = tree_color(tree.id);

@@ -30,11 +30,18 @@ struct Adaptive {
 /// is missed is a crest that lies between two steps: tested, not proven. After the halvings the crossing is where a line
 /// through both ends of what is left meets the ground.
 fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, how: Adaptive) -> MarchHit {
+    return approach(origin, direction, ceiling, far, 0.0, how).hit;
+}
+
+/// As `march`; and how far the ray stays `clearance` (m) or more above ground, as its steps saw it: what stands on the
+/// ground needs to be looked for only from there on. A ray that meets nothing and is never so low is clear up to `far`, as if
+/// nothing stood on ground that is as high as the ceiling.
+fn approach(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, clearance: f32, how: Adaptive) -> MarchApproach {
     var t = 0.0;
     if direction.y < -1e-6 {
         t = max((ceiling - origin.y) / direction.y, 0.0); // from above: nothing to meet before the ceiling
     } else if origin.y > ceiling {
-        return MarchHit(far, false, 0, 0);
+        return MarchApproach(MarchHit(far, false, 0, 0), 0.0);
     }
     var end = t + far;
     if direction.y > 1e-6 {
@@ -48,9 +55,13 @@ fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, how: Adaptive)
     var found = false;
     var halvings = 0;
     var above = 0.0;
+    var clear = 0.0;
+    var clears = true; // so far
     for (var steps = 0; steps < how.max_steps + how.bisections; steps++) {
         let p = origin + t * direction;
         above = p.y - height(p.xz, max(t * how.pixel_angle, 0.04 * above * f32(how.pixel_angle > 0.0)));
+        clears = clears && above >= clearance;
+        clear = select(clear, t, clears);
         let under = above <= 0.5 * how.pixel_angle * t;
         if under {
             high = t;
@@ -64,26 +75,27 @@ fn march(origin: vec3f, direction: vec3f, ceiling: f32, far: f32, how: Adaptive)
         } else if under {
             found = true;
             if low == high {
-                return MarchHit(t, true, steps + 1, steps + 1);
+                return MarchApproach(MarchHit(t, true, steps + 1, steps + 1), clear);
             }
         } else {
             let left = f32(how.max_steps - steps);
             let rest = (end - t) * min(3.0 / (left * left), 1.0); // the last steps reach the end
             t += max(how.shortest + how.growth * t + how.relax * above, rest);
             if t > end {
-                return MarchHit(far, false, steps + 1, steps + 1);
+                return MarchApproach(MarchHit(far, false, steps + 1, steps + 1), select(clear, far, clears));
             }
             if steps + 1 >= how.max_steps {
-                return MarchHit(low, true, steps + 1, steps + 1);
+                return MarchApproach(MarchHit(low, true, steps + 1, steps + 1), clear);
             }
         }
         if found {
             if halvings >= how.bisections {
                 let part = above_low / max(above_low - above_high, 1e-20);
-                return MarchHit(mix(low, high, clamp(part, 0.0, 1.0)), true, steps + 1, steps + 1);
+                let met = mix(low, high, clamp(part, 0.0, 1.0));
+                return MarchApproach(MarchHit(met, true, steps + 1, steps + 1), clear);
             }
             t = 0.5 * (low + high);
         }
     }
-    return MarchHit(low, true, how.max_steps, how.max_steps);
+    return MarchApproach(MarchHit(low, true, how.max_steps, how.max_steps), clear);
 }

@@ -73,7 +73,13 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #endif
 
     for (var bounce = 0; bounce < LANDSCAPE_RAYS; bounce++) {
-        let land = terrain_trace_in(start, toward, select(1.0, LAND_MIRRORED, bounce > 0));
+#if landscape.trees
+        let clearance = trees_clearance();
+#else
+        let clearance = 0.0;
+#endif
+        let approach = terrain_approach(start, toward, select(1.0, LAND_MIRRORED, bounce > 0), clearance);
+        let land = approach.hit;
         var way = land.distance;
         var wet = false; // whether the ray meets water first
         var leafy = false; // whether it meets a tree first
@@ -98,7 +104,7 @@ fn landscape_trace(origin: vec3f, direction: vec3f, jitter: f32) -> Traced {
 #endif
 #if landscape.trees
         // Where the mirrored ray is to see no trees, it looks for them nowhere.
-        let tree = trees_trace(start, toward, 0.0, select(way, 0.0, bounce >= LANDSCAPE_WOODED));
+        let tree = trees_trace(start, toward, approach.clear, select(way, 0.0, bounce >= LANDSCAPE_WOODED));
         if tree.hit {
             leafy = true;
             wet = false;

@@ -75,11 +75,12 @@ fn terrain_height_marched(p: vec2f, footprint: f32) -> f32 {
 
 /// Where a ray meets the land.
 fn terrain_trace(origin: vec3f, direction: vec3f) -> MarchHit {
-    return terrain_trace_in(origin, direction, 1.0);
+    return terrain_approach(origin, direction, 1.0, 0.0).hit;
 }
 
-/// As `terrain_trace`, in steps `haste` (1 or more) times as long, and as many times fewer.
-fn terrain_trace_in(origin: vec3f, direction: vec3f, haste: f32) -> MarchHit {
+/// As `terrain_trace`, in steps `haste` (1 or more) times as long, and as many times fewer; and how far the ray stays
+/// `clearance` (m) or more above the land, where the march looks at whole heights.
+fn terrain_approach(origin: vec3f, direction: vec3f, haste: f32, clearance: f32) -> MarchApproach {
     let most = i32(f32(LAND_STEPS) / haste);
     let pixel_angle = LAND_EXACT * camera_pixel_angle();
 #if quality != low && terrain.relief == fbm && !terrain.eroded && !terrain.distorted && !terrain.rough
@@ -88,10 +89,11 @@ fn terrain_trace_in(origin: vec3f, direction: vec3f, haste: f32) -> MarchHit {
     let octaves = terrain.octaves + f32(WIDE_OCTAVES);
     let plain = select(i32(ceil(octaves)), WIDE_OCTAVES, WIDE_OCTAVES > 0);
     let how = land_Bounded(octaves, plain, coarsest, terrain.lacunarity, pixel_angle, 0.01, 4 * most);
-    return land_march(origin - vec3f(0.0, sum_base(), 0.0), direction, 0.0, terrain.far, how);
+    let hit = land_march(origin - vec3f(0.0, sum_base(), 0.0), direction, 0.0, terrain.far, how);
+    return MarchApproach(hit, 0.0);
 #else
     let how = land_Adaptive(0.05, haste * LAND_GROWTH, haste * LAND_RELAX, most, LAND_HALVINGS, pixel_angle);
-    return land_march(origin, direction, terrain_ceiling(), terrain.far, how);
+    return land_approach(origin, direction, terrain_ceiling(), terrain.far, clearance, how);
 #endif
 }
 

@@ -32,6 +32,7 @@ const TREE_STRIDE: f32 = 0.9; // part of the crown's field that a step covers
 const TREE_CLIMB: f32 = 0.6; // steepest ground that trees are looked for behind
 const TREE_STEEPENING: f32 = 0.35; // by how much it may be steeper than here
 const TREE_PROBES: i32 = 24; // cells from one look at the ground to the next
+const TREE_CLEARANCE: f32 = 1.5; // as high above the land, in heights of the tallest, no tree is looked for
 const TREE_GLADE: f32 = 0.7; // how wide, in patches, a clearing of depth -1 is taken to be; 0 where every cell is looked at
 const TREE_SHADOW_STEPS: i32 = 16;
 const TREE_SHADES: i32 = 2; // crowns looked through to the sun
@@ -46,6 +47,7 @@ const TREE_STRIDE: f32 = 0.65;
 const TREE_CLIMB: f32 = 0.8;
 const TREE_STEEPENING: f32 = 9.0;
 const TREE_PROBES: i32 = 12;
+const TREE_CLEARANCE: f32 = 3.0;
 const TREE_GLADE: f32 = 0.0;
 const TREE_SHADOW_STEPS: i32 = 120;
 const TREE_SHADES: i32 = 16;
@@ -60,6 +62,7 @@ const TREE_STRIDE: f32 = 0.5;
 const TREE_CLIMB: f32 = 1.0;
 const TREE_STEEPENING: f32 = 9.0;
 const TREE_PROBES: i32 = 12;
+const TREE_CLEARANCE: f32 = 3.0;
 const TREE_GLADE: f32 = 0.0;
 const TREE_SHADOW_STEPS: i32 = 160;
 const TREE_SHADES: i32 = 24;
@@ -74,6 +77,7 @@ const TREE_STRIDE: f32 = 0.35;
 const TREE_CLIMB: f32 = 1.5;
 const TREE_STEEPENING: f32 = 9.0;
 const TREE_PROBES: i32 = 12;
+const TREE_CLEARANCE: f32 = 3.0;
 const TREE_GLADE: f32 = 0.0;
 const TREE_SHADOW_STEPS: i32 = 300;
 const TREE_SHADES: i32 = 40;
@@ -83,6 +87,12 @@ const TREE_LOOKS: i32 = 8;
 /// How far away (m) trees are drawn one by one.
 fn trees_end() -> f32 {
     return min(trees.far, trees.tallest / max(TREE_LEAST * camera_pixel_angle(), 1e-9));
+}
+
+/// How high above the land (m) no tree is met between two looks at it, by a march that goes as far in a step as it is high:
+/// trees need to be looked for only where a ray comes lower.
+fn trees_clearance() -> f32 {
+    return TREE_CLEARANCE * trees.tallest;
 }
 
 /// What a ray met.

@@ -43,15 +43,15 @@ pub(crate) fn run(root: &Path, names: &[&str]) -> Outcome {
     }
     let lab = Lab::open()?;
     let machine = machine::line(&lab)?;
-    let mut sections = Vec::new();
+    let page = root.join("docs/benchmarks.md");
     for part in PARTS.iter().filter(|part| names.is_empty() || names.contains(&part.name)) {
         eprintln!("── {}", part.name);
         let mut section = (part.measure)(&lab)?;
         section.text = format!("{machine}\n\n{}", section.text);
         println!("\n## {}\n\n{}", section.title, section.text);
-        sections.push(section);
+        // At once: where a later part fails, this one need not be measured again.
+        page::write(&page, &head(), &PARTS.map(|part| part.title), &section)?;
     }
-    page::write(&root.join("docs/benchmarks.md"), &head(), &PARTS.map(|part| part.title), sections)?;
     println!("docs/benchmarks.md is written");
     Ok(())
 }
