@@ -49,6 +49,21 @@ fn thousands_of_directives_and_includes_compose() {
 }
 
 #[test]
+fn a_thousand_includes_one_below_the_other_compose() {
+    let library =
+        Library::empty().with_file("m1000.wgsl", "fn level1000(x: f32) -> f32 {\n    return x;\n}\n");
+    let library = (0..1000).fold(library, |library, n| {
+        let next = n + 1;
+        let call = format!("fn level{n}(x: f32) -> f32 {{\n    return 0.5 * level{next}(x + 1.0);\n}}\n");
+        library.with_file(format!("m{n}.wgsl"), format!("#include <m{next}.wgsl>\n\n{call}"))
+    });
+    let main = "@fragment\nfn main() -> @location(0) vec4f {\n    return vec4f(level0(1.0));\n}\n";
+    let library = library.with_file("root.wgsl", format!("#include <m0.wgsl>\n\n{main}"));
+    let shader = orogen::compose(&library, &Preset::of_module("root.wgsl"), &Bake::constants()).unwrap();
+    assert!(shader.wgsl().contains("fn level1000("));
+}
+
+#[test]
 fn thousands_of_faults_are_told() {
     let missing: String = (0..20_000).map(|n| format!("#include <missing{n}.wgsl>\n")).collect();
     let unknown: String = (0..5_000).map(|n| format!("#if unknown{n}.option\n#endif\n")).collect();
