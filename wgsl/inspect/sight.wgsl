@@ -16,7 +16,7 @@ struct Sight {
     distance: f32,
     /// Steps of the march: heights looked up, or single octaves where it goes octave by octave.
     steps: i32,
-    /// As far as it is to be seen that nothing `clearance` (m) high is met.
+    /// How far the ray stays above all that stands on the land (m), if that is no higher than it was looked for.
     clear: f32,
     /// Width of the pixel there (m).
     footprint: f32,

@@ -26,7 +26,7 @@
 const TREE_LEAST: f32 = 9.0; // pixels that the tallest trees stand up to where trees are drawn one by one
 const TREE_DETAIL: f32 = 2.5; // width of the smallest detail looked at, in pixels
 const TREE_STEPS: i32 = 80; // cells looked at along a ray
-const TREE_CROWNS: i32 = 4; // crowns marched through
+const TREE_CROWNS: i32 = 8; // crowns marched through
 const TREE_MARCH: i32 = 6; // steps in each
 const TREE_STRIDE: f32 = 0.9; // part of the crown's field that a step covers
 const TREE_CLIMB: f32 = 0.6; // steepest ground that trees are looked for behind
@@ -89,8 +89,8 @@ fn trees_end() -> f32 {
     return min(trees.far, trees.tallest / max(TREE_LEAST * camera_pixel_angle(), 1e-9));
 }
 
-/// How high above the land (m) no tree is met between two looks at it, by a march that goes as far in a step as it is high:
-/// trees need to be looked for only where a ray comes lower.
+/// How high above the land (m) a ray needs to ask for no trees: more than they are tall, as the land may rise between two
+/// steps of its march (tested, not proven).
 fn trees_clearance() -> f32 {
     return TREE_CLEARANCE * trees.tallest;
 }
